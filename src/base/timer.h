@@ -1,0 +1,40 @@
+// Stopwatches: wall seconds for people, CPU seconds for comparisons on a shared machine.
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+namespace drape {
+
+// Wall time since construction [s].
+class WallTimer {
+public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// CPU time of the whole process, all threads [s].
+inline double process_cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Adds the CPU seconds between construction and destruction to `total`.
+class CpuScope {
+public:
+    explicit CpuScope(double& total) : total_(total), start_(process_cpu_seconds()) {}
+    ~CpuScope() { total_ += process_cpu_seconds() - start_; }
+    CpuScope(const CpuScope&) = delete;
+    CpuScope& operator=(const CpuScope&) = delete;
+
+private:
+    double& total_;
+    double start_;
+};
+
+}  // namespace drape

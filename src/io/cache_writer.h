@@ -1,0 +1,25 @@
+// Position caches: every frame's vertices, in the mesh file's vertex order, for other programs.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mesh/mesh.h"
+
+namespace drape {
+
+// Sample 0 is the start, sample k the state at frame k; a run of F frames writes F + 1 samples.
+class CacheWriter {
+public:
+    virtual ~CacheWriter() = default;
+    virtual void add(In positions) = 0;  // 3 x V, simulated vertices; written in file order
+    virtual void finish() = 0;           // makes the file(s) final; without it nothing is left behind
+};
+
+// The file's ending chooses: .pc2 (one file, start 0, rate 1), .mdd (one file, times in seconds),
+// .obj and .ply (a numbered file per sample, NAME_0000.obj ...). The Mesh must outlive the writer.
+// Throws Error for another ending or an unwritable place.
+std::unique_ptr<CacheWriter> make_cache_writer(const std::string& path, const Mesh& mesh, double frame_rate,
+                                               int samples);
+
+}  // namespace drape

@@ -1,0 +1,18 @@
+// PNG in and out: stb_image and stb_image_write, with libdeflate as compressor.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+
+namespace drape {
+
+// The bytes of a PNG file; the same image gives the same bytes.
+std::vector<std::uint8_t> encode_png(const Image& image);
+
+// Throws Error naming the file if it is missing or not a picture.
+Image read_png(const std::string& path);
+
+}  // namespace drape

@@ -1,0 +1,29 @@
+// Generated cloth meshes: a rectangle cut into triangles by a pattern. A new pattern: its function in
+// pattern.cpp, its row in the table, its sentence in the README; the tests loop over the table.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "mesh/mesh.h"
+
+namespace drape {
+
+struct PatternSize {
+    double width = 1, depth = 1;  // along x and z [m]
+    int columns = 32, rows = 32;  // quads along x and z
+};
+
+struct PatternKind {
+    std::string_view name;
+    std::string_view summary;
+    Mesh (*make)(const PatternSize&);
+};
+
+std::span<const PatternKind> pattern_kinds();
+
+// A horizontal sheet centred on the origin at y = 0, front side up, uv = (x, z) / size from corner to corner.
+// Vertices run row by row along x. Throws Error for an unknown name, a size that is not positive or too fine.
+Mesh make_pattern(std::string_view name, const PatternSize& size);
+
+}  // namespace drape

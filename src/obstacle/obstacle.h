@@ -1,0 +1,59 @@
+// Obstacles: solids cloth cannot enter, as signed distances. One file per kind; a new kind is its file, its row
+// in the table of obstacle.cpp and its line in the README; the tests loop over the table.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/rigid_motion.h"
+#include "mesh/mesh.h"
+#include "obstacle/shape.h"
+
+namespace drape {
+
+// The nearest point of a solid's surface, seen from outside or inside.
+struct SurfaceSample {
+    double distance = 0;            // signed: negative inside [m]
+    Vec3 normal = Vec3::UnitY();    // unit gradient of the distance, out of the solid
+};
+
+// A solid at rest in its own frame.
+class Solid {
+public:
+    virtual ~Solid() = default;
+    virtual SurfaceSample sample(const Vec3& p) const = 0;
+
+    // How far inside the solid a flat triangle with sides <= `spacing` can reach when its corners are all
+    // on or outside the surface [m]. 0 for a plane.
+    virtual double sagitta(double spacing) const = 0;
+
+    // Every point of the solid is within `reach()` of `centre()`; infinite for a plane.
+    virtual Vec3 centre() const = 0;
+    virtual double reach() const = 0;
+
+    // The surface as triangles for drawing, normals outward, fine enough to look smooth. A plane gives a
+    // square of side `extent` around its centre.
+    virtual Mesh surface(double extent) const = 0;
+};
+
+struct SolidKind {
+    std::string_view name;
+    std::string_view summary;
+    std::span<const std::string_view> keys;  // the scene keys it reads beyond `shape`, `friction`, `motion`
+    std::unique_ptr<Solid> (*make)(const ShapeParameters&);  // throws Error on impossible numbers
+};
+
+std::span<const SolidKind> solid_kinds();
+
+// A solid in the world, perhaps moving.
+struct Obstacle {
+    std::string kind;
+    std::shared_ptr<const Solid> solid;
+    RigidMotion motion;
+    double friction = 0;  // Coulomb's coefficient between it and cloth [-]
+};
+
+}  // namespace drape
