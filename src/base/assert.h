@@ -5,13 +5,12 @@
 #ifdef DRAPE_ASSERTS
 #include <cstdio>
 #include <cstdlib>
-#define DRAPE_ASSERT(condition)                                                                      \
-    do {                                                                                             \
-        if (!(condition)) {                                                                          \
-            std::fprintf(stderr, "drape: bug: %s:%d: %s does not hold\n", __FILE__, __LINE__,        \
-                         #condition);                                                                \
-            std::abort();                                                                            \
-        }                                                                                            \
+#define DRAPE_ASSERT(condition)                                                                            \
+    do {                                                                                                   \
+        if (!(condition)) {                                                                                \
+            std::fprintf(stderr, "drape: bug: %s:%d: %s does not hold\n", __FILE__, __LINE__, #condition); \
+            std::abort();                                                                                  \
+        }                                                                                                  \
     } while (false)
 #else
 #define DRAPE_ASSERT(condition) static_cast<void>(0)

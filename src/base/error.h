@@ -20,7 +20,14 @@ std::string cat(const Parts&... parts) {
 }
 
 // The process's exit codes; the command contract in the README lists them.
-enum class Exit { done = 0, different = 1, bad_input = 2, cannot_write = 3, went_wrong = 4, interrupted = 130 };
+enum class Exit {
+    done = 0,
+    different = 1,
+    bad_input = 2,
+    cannot_write = 3,
+    went_wrong = 4,
+    interrupted = 130
+};
 
 // One line for the user: "FILE:LINE:COL: what is wrong (what is allowed)".
 class Error : public std::runtime_error {

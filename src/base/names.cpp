@@ -34,7 +34,8 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
     return best;
 }
 
-std::string unknown_name(std::string_view what, std::string_view word, const std::vector<std::string>& known) {
+std::string unknown_name(std::string_view what, std::string_view word,
+                         const std::vector<std::string>& known) {
     std::string text = cat("unknown ", what, " \"", word, "\"");
     if (const std::string near = nearest_name(word, known); !near.empty())
         text += cat("; did you mean \"", near, "\"?");

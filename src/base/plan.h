@@ -16,7 +16,9 @@ struct Stage {
 struct Plan {
     std::vector<Stage> stages;  // in the order the data takes
 
-    void use(std::string name, std::string because) { stages.push_back({std::move(name), true, std::move(because)}); }
+    void use(std::string name, std::string because) {
+        stages.push_back({std::move(name), true, std::move(because)});
+    }
     void leave_out(std::string name, std::string because) {
         stages.push_back({std::move(name), false, std::move(because)});
     }

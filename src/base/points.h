@@ -9,7 +9,8 @@ namespace drape {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-// A column per vertex; in memory x0 y0 z0 x1 ..., which is a solver's flat vector and a vertex buffer at once.
+// A column per vertex; in memory x0 y0 z0 x1 ..., which is a solver's flat vector and a vertex buffer at
+// once.
 using Points = Eigen::Matrix3Xd;
 using In = const Eigen::Ref<const Points>&;  // read
 using Out = Eigen::Ref<Points>;              // added to

@@ -19,7 +19,8 @@ struct Pose {
 // Rotation about x, then y, then z, through fixed axes: R = Rz Ry Rx. Angles in degrees.
 Mat3 rotation_from_degrees(const Vec3& degrees);
 
-// A pose and how fast it changes: the velocity of the point at p is linear + angular x (p - pose.translation).
+// A pose and how fast it changes: the velocity of the point at p is linear + angular x (p -
+// pose.translation).
 struct MovingPose {
     Pose pose;
     Vec3 linear = Vec3::Zero();   // [m/s]
@@ -29,9 +30,9 @@ struct MovingPose {
 };
 
 struct Keyframe {
-    double t = 0;                       // [s]
-    Vec3 translate = Vec3::Zero();      // [m]
-    Vec3 rotate_deg = Vec3::Zero();     // about x, then y, then z; may exceed 360 to say how many turns
+    double t = 0;                    // [s]
+    Vec3 translate = Vec3::Zero();   // [m]
+    Vec3 rotate_deg = Vec3::Zero();  // about x, then y, then z; may exceed 360 to say how many turns
 };
 
 // Keyframes joined by smooth curves: each of the six numbers runs along a monotone cubic (Fritsch-Carlson),

@@ -8,7 +8,8 @@
 namespace drape {
 
 // What the number given as stretch stiffness means.
-//   force_per_strain  k [N], the same for every spring. E = 1/2 k l0 (l/l0 - 1)^2. The lecture notes' own; its
+//   force_per_strain  k [N], the same for every spring. E = 1/2 k l0 (l/l0 - 1)^2. The lecture notes' own;
+//   its
 //                     hazard: where the mesh is finer the cloth is stronger.
 //   spring_constant   k [N/m], the same for every spring. E = 1/2 k (l - l0)^2.
 //   membrane          E t [N/m], Young's modulus times thickness: a property of the fabric, not of the mesh.
@@ -28,12 +29,13 @@ struct Fabric {
     StretchModel stretch_model = StretchModel::membrane;
     double stretch = 100;  // [N], [N/m] or [N/m], see StretchModel
     AltitudeMode altitude = AltitudeMode::none;
-    double altitude_ratio = 1;      // altitude stiffness over edge stiffness [-]
+    double altitude_ratio = 1;        // altitude stiffness over edge stiffness [-]
     double compressed_beyond = 0.25;  // AltitudeMode::compressed resists beyond this fraction [-]
     BendingKind bending_kind = BendingKind::none;
-    double bending = 0;   // bending rigidity B [N m]; for BendingKind::spring a fraction of the stretch stiffness
+    double bending =
+        0;  // bending rigidity B [N m]; for BendingKind::spring a fraction of the stretch stiffness
     double poisson = 0.3;  // of bending, plates only [-]
-    double damping = 0;   // ratio of critical for a single spring, [-]
+    double damping = 0;    // ratio of critical for a single spring, [-]
 };
 
 struct FabricPreset {

@@ -1,5 +1,5 @@
-// Obstacles: solids cloth cannot enter, as signed distances. One file per kind; a new kind is its file, its row
-// in the table of obstacle.cpp and its line in the README; the tests loop over the table.
+// Obstacles: solids cloth cannot enter, as signed distances. One file per kind; a new kind is its file, its
+// row in the table of obstacle.cpp and its line in the README; the tests loop over the table.
 #pragma once
 
 #include <memory>
@@ -16,8 +16,8 @@ namespace drape {
 
 // The nearest point of a solid's surface, seen from outside or inside.
 struct SurfaceSample {
-    double distance = 0;            // signed: negative inside [m]
-    Vec3 normal = Vec3::UnitY();    // unit gradient of the distance, out of the solid
+    double distance = 0;          // signed: negative inside [m]
+    Vec3 normal = Vec3::UnitY();  // unit gradient of the distance, out of the solid
 };
 
 // A solid at rest in its own frame.

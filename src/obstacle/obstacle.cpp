@@ -1,0 +1,34 @@
+#include "obstacle/obstacle.h"
+
+#include <array>
+
+#include "obstacle/kinds.h"
+
+namespace drape {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> plane_keys{"centre", "normal"};
+constexpr std::array<std::string_view, 2> sphere_keys{"centre", "radius"};
+constexpr std::array<std::string_view, 3> capsule_keys{"from", "to", "radius"};
+constexpr std::array<std::string_view, 4> box_keys{"centre", "size", "rotate_deg", "rounding"};
+constexpr std::array<std::string_view, 5> cylinder_keys{"centre", "axis", "radius", "height", "rounding"};
+constexpr std::array<std::string_view, 4> torus_keys{"centre", "axis", "radius", "tube_radius"};
+
+constexpr std::array kinds{
+    SolidKind{"plane", "half space below a plane", plane_keys, make_plane},
+    SolidKind{"sphere", "ball", sphere_keys, make_sphere},
+    SolidKind{"capsule", "segment with a radius", capsule_keys, make_capsule},
+    SolidKind{"box", "cuboid, its edges rounded or sharp", box_keys, make_box},
+    SolidKind{"cylinder", "round bar with flat caps, its rims rounded or sharp", cylinder_keys,
+              make_cylinder},
+    SolidKind{"torus", "ring", torus_keys, make_torus},
+};
+
+}  // namespace
+
+std::span<const SolidKind> solid_kinds() {
+    return kinds;
+}
+
+}  // namespace drape
