@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "mesh/mesh.h"
 
@@ -13,12 +15,23 @@ class CacheWriter {
 public:
     virtual ~CacheWriter() = default;
     virtual void add(In positions) = 0;  // 3 x V, simulated vertices; written in file order
-    virtual void finish() = 0;           // makes the file(s) final; without it nothing is left behind
+    // Makes the file(s) final; without it nothing is left behind. Fewer samples than promised are fine (a run
+    // that ended early): the header says how many there are.
+    virtual void finish() = 0;
 };
 
+struct CacheKind {
+    std::string_view ending;  // ".pc2"
+    std::string_view summary;
+    std::unique_ptr<CacheWriter> (*make)(const std::string& path, const Mesh&, double frame_rate,
+                                         int samples);
+};
+
+std::span<const CacheKind> cache_kinds();
+
 // The file's ending chooses: .pc2 (one file, start 0, rate 1), .mdd (one file, times in seconds),
-// .obj and .ply (a numbered file per sample, NAME_0000.obj ...). The Mesh must outlive the writer.
-// Throws Error for another ending or an unwritable place.
+// .obj and .ply (a numbered file per sample, NAME_0000.obj ...). One writer per cloth; the Mesh must outlive
+// it. Throws Error for another ending or an unwritable place.
 std::unique_ptr<CacheWriter> make_cache_writer(const std::string& path, const Mesh& mesh, double frame_rate,
                                                int samples);
 

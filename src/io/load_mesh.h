@@ -11,13 +11,16 @@ namespace drape {
 struct LoadedMesh {
     Mesh mesh;  // metres, y up, node transforms applied, welded, renumbered for locality
     // what loading found and did, for `inspect` and the report
-    int dropped_zero_area = 0;   // triangles without rest area, left out
+    int dropped_zero_area = 0;  // triangles without rest area, left out
     int dropped_points_lines = 0;
-    int unused_vertices = 0;     // vertices of the file that no triangle uses, kept out of the mesh
-    std::vector<std::string> notes;  // "unit centimetre: scaled by 0.01", "z up: turned"
+    int unused_vertices = 0;         // vertices of the file that no triangle uses, not simulated
+    std::vector<std::string> notes;  // "unit 1 cm: scaled by 0.01", "up is z: turned to y up"
 };
 
-// Throws Error "FILE: what is wrong (what is allowed)".
+// The file's vertices, whose order Mesh::file_vertex keeps: the `v` lines of an OBJ, the vertex elements of a
+// PLY, the position accessors of a glTF node after node; of other formats, which assimp unrolls into corners,
+// the distinct places of each node in the order its faces use them. Files without units are in metres. Throws
+// Error "FILE: what is wrong (what is allowed)", with "FILE:LINE:" where a text file has a line to blame.
 LoadedMesh load_mesh(const std::string& path);
 
 }  // namespace drape

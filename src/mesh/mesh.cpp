@@ -19,4 +19,13 @@ Mesh plain_mesh(Points rest, Faces faces, Eigen::Matrix2Xf uv) {
     return mesh;
 }
 
+Points in_file_order(const Mesh& mesh, In positions) {
+    DRAPE_ASSERT(positions.cols() == mesh.rest.cols());
+    Points points(3, static_cast<Eigen::Index>(mesh.file_vertex.size()));
+    Eigen::Index column = 0, unused = 0;
+    for (const int vertex : mesh.file_vertex)
+        points.col(column++) = vertex >= 0 ? Vec3(positions.col(vertex)) : Vec3(mesh.unused.col(unused++));
+    return points;
+}
+
 }  // namespace drape

@@ -58,7 +58,9 @@ constexpr std::array kinds{
 
 }  // namespace
 
-std::span<const PatternKind> pattern_kinds() { return kinds; }
+std::span<const PatternKind> pattern_kinds() {
+    return kinds;
+}
 
 Mesh make_pattern(std::string_view name, const PatternSize& size) {
     const PatternKind& kind = find_named(kinds, "pattern", name);

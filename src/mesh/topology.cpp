@@ -1,7 +1,6 @@
 #include "mesh/topology.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 namespace drape {
@@ -21,9 +20,8 @@ std::vector<Side> sorted_sides(const Faces& faces) {
             sides.push_back({low, high, f, c});
         }
     }
-    std::stable_sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-        return s.a != t.a ? s.a < t.a : s.b < t.b;
-    });
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& s, const Side& t) { return s.a != t.a ? s.a < t.a : s.b < t.b; });
     return sides;
 }
 
@@ -51,23 +49,53 @@ void label_components(Topology& topology, int vertices) {
     }
 }
 
-// Walks border edges in the direction of their triangle; where loops touch in a vertex they are walked in turn.
-void trace_boundary(Topology& topology, const Faces& faces) {
-    std::map<int, std::vector<int>> next;  // from -> to, along border half-edges
-    for (const Edge& edge : topology.edges) {
-        if (edge.face_count != 1) continue;
-        const auto face = faces.col(edge.face[0]);
-        for (int c = 0; c < 3; ++c)
-            if (face[c] == edge.opposite[0]) next[face[(c + 1) % 3]].push_back(face[(c + 2) % 3]);
+// The border edge that follows `edge` at its end `vertex`: turns about the vertex from triangle to triangle
+// until a side has no other one, so that loops that touch in a vertex stay apart and orientation does not
+// matter. -1: a non-manifold edge is in the way.
+int next_border(const Topology& topology, const Faces& faces, int edge, int vertex) {
+    int face = topology.edges[static_cast<size_t>(edge)].face[0];
+    for (;;) {
+        for (int c = 0; c < 3; ++c) {
+            if (faces(c, face) == vertex || topology.face_edges(c, face) == edge) continue;
+            edge = topology.face_edges(c, face);
+            break;
+        }
+        const Edge& side = topology.edges[static_cast<size_t>(edge)];
+        if (side.face_count != 2) return side.face_count == 1 ? edge : -1;
+        face = side.face[0] == face ? side.face[1] : side.face[0];
     }
-    while (!next.empty()) {
+}
+
+// Walks along border edges from `edge` towards `vertex` and lists the vertices met. True: back at the start.
+bool walk_border(const Topology& topology, const Faces& faces, int edge, int vertex,
+                 std::vector<bool>& walked, std::vector<int>& met) {
+    for (const int first = edge; edge >= 0;) {
+        walked[static_cast<size_t>(edge)] = true;
+        met.push_back(vertex);
+        edge = next_border(topology, faces, edge, vertex);
+        if (edge == first) return true;
+        if (edge < 0) break;
+        const auto& ends = topology.edges[static_cast<size_t>(edge)].vertex;
+        vertex = ends[0] == vertex ? ends[1] : ends[0];
+    }
+    return false;
+}
+
+// Loops run in the direction of their first edge's triangle. One that a non-manifold edge cuts is an open
+// chain.
+void trace_boundary(Topology& topology, const Faces& faces) {
+    std::vector<bool> walked(topology.edges.size(), false);
+    for (size_t e = 0; e < topology.edges.size(); ++e) {
+        const Edge& edge = topology.edges[e];
+        if (edge.face_count != 1 || walked[e]) continue;
+        const auto face = faces.col(edge.face[0]);
+        const int after_opposite = face[0] == edge.opposite[0] ? 1 : face[1] == edge.opposite[0] ? 2 : 0;
+        const int from = face[after_opposite], to = face[(after_opposite + 1) % 3];
         std::vector<int> loop;
-        int at = next.begin()->first;
-        for (auto step = next.find(at); step != next.end(); step = next.find(at)) {
-            loop.push_back(at);
-            at = step->second.back();
-            step->second.pop_back();
-            if (step->second.empty()) next.erase(step);
+        if (!walk_border(topology, faces, static_cast<int>(e), to, walked, loop)) {
+            std::vector<int> before;
+            walk_border(topology, faces, static_cast<int>(e), from, walked, before);
+            loop.insert(loop.begin(), before.rbegin(), before.rend());
         }
         topology.boundary_loops.push_back(std::move(loop));
     }

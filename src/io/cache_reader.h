@@ -1,0 +1,20 @@
+// Reads position caches back: for comparing two runs, and for the tests of what was written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/points.h"
+
+namespace drape {
+
+struct Cache {
+    std::vector<Points> samples;  // each 3 x points, in the mesh file's vertex order [m]
+    std::vector<double> times;    // a number per sample: MDD [s], PC2 in frames (start + k rate)
+};
+
+// The ending chooses: .pc2 or .mdd. Throws Error naming the file if it is missing, of another ending, or if
+// its header does not fit its size.
+Cache read_cache(const std::string& path);
+
+}  // namespace drape
