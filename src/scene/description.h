@@ -8,19 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "base/colour.h"
 #include "base/points.h"
 #include "base/rigid_motion.h"
 #include "cloth/fabric.h"
 #include "force/wind.h"
 #include "mesh/pattern.h"
 #include "obstacle/shape.h"
+#include "scene/place.h"
 
 namespace drape {
-
-// Where something stands in the scene file, for messages: "scenes/flag.toml:12:3".
-struct Place {
-    std::string text;
-};
 
 // Rest shape to world: scale, then rotation about x, y, z, then translation.
 struct Placement {
@@ -32,39 +29,45 @@ struct Placement {
 struct StartDescription {
     Vec3 velocity = Vec3::Zero();
     Vec3 scale = Vec3::Ones();  // of the rest shape about its centre, before placement
-    std::string mesh;           // a file with the start positions in the same vertex order; "" = the rest shape
+    std::string mesh;  // a file with the start positions in the same vertex order; "" = the rest shape
 };
 
 struct PinDescription {
     // exactly one of these three says which vertices
-    std::optional<Vec3> near;                  // the nearest vertex, in placed coordinates
-    std::optional<double> within;              // ... no farther than this [m]; default one mean edge
-    std::optional<std::array<Vec3, 2>> box;    // all vertices in it, in placed coordinates
-    std::optional<int> boundary;               // all vertices of this boundary loop, 0 = the longest
-    std::vector<Keyframe> motion;              // empty: held still
-    std::optional<Vec3> about;                 // the point rotations turn about; default the group's centre
-    bool rigid = false;                        // the group keeps its start shape, and may be moved as one body
+    std::optional<Vec3> near;                // the nearest vertex, in placed coordinates
+    std::optional<double> within;            // ... no farther than this [m]; default one mean edge
+    std::optional<std::array<Vec3, 2>> box;  // all vertices in it, in placed coordinates
+    std::optional<int> boundary;             // all vertices of this boundary loop, 0 = the longest
+    std::vector<Keyframe> motion;            // empty: held still
+    std::optional<Vec3> about;               // the point rotations turn about; default the group's centre
+    bool rigid = false;                      // the group keeps its start shape, and may be moved as one body
     Place place;
 };
 
+struct ClothColours {
+    Colour front{}, back{}, stripe{};  // the reader's palette gives each cloth its own
+    bool stripes = true;               // the woven border band
+};
+
 struct ClothDescription {
-    std::string mesh;  // file, or ""
-    std::string pattern = "alternating";
+    std::string mesh;                     // a file, relative to the scene's folder; "" = a pattern
+    std::string pattern = "alternating";  // read only if mesh is ""
     PatternSize pattern_size;
     Placement placement;
     StartDescription start;
-    std::string fabric_name;  // preset, or "" for a table of its own
+    std::string fabric_name;  // the preset the fabric is, or starts from; "" = from nothing
     Fabric fabric;
     std::vector<PinDescription> pins;
-    bool self_contact = false;
+    ClothColours colours;
     Place place, mesh_place, fabric_place, start_mesh_place;
 };
 
 struct ObstacleDescription {
     std::string shape;
     ShapeParameters parameters;
-    double friction = 0.3;
+    double friction = 0.3;  // Coulomb's coefficient between it and cloth [-]
     std::vector<Keyframe> motion;
+    Colour colour{0x9e / 255.0f, 0xa1 / 255.0f, 0xa8 / 255.0f};
     Place place;
 };
 
@@ -73,25 +76,23 @@ struct CameraDescription {
     double fov_deg = 24;  // vertical
 };
 
-struct LookDescription {  // of the [render] table; colours are sRGB 0..1
+struct LookDescription {  // the [render] table
     std::array<int, 2> size{1280, 720};
     std::optional<CameraDescription> camera;  // none: framed automatically
     std::string overlay = "none";             // none, wire, strain, springs
-    std::vector<std::array<double, 3>> front, back, stripe;  // a colour per cloth; fewer: the palette goes on
-    bool stripes = true;                      // the woven border band
     bool ground = true;                       // draw a ground even where no plane obstacle gives one
 };
 
 struct AccuracyDescription {
-    std::string method;  // "" = drape chooses
-    std::optional<double> step;  // [s]
+    std::string method = "auto";  // auto: drape chooses
+    std::optional<double> step;   // [s]; none: drape chooses
     Place place;
 };
 
 struct SceneDescription {
-    std::string file;    // as given
-    std::string folder;  // paths in the scene are relative to it
-    std::string name;
+    std::string file;        // as given
+    std::string folder;      // of the file: paths in the scene are relative to it
+    std::string name;        // default: the file's stem
     double duration = 1;     // [s]
     double frame_rate = 30;  // [1/s]
     Vec3 gravity{0, -9.81, 0};
@@ -103,6 +104,8 @@ struct SceneDescription {
     LookDescription look;
 
     int frames() const;  // round(duration * frame_rate)
+    std::string path_to(
+        const std::string& relative) const;  // a path of the scene, as the program can open it
 };
 
 }  // namespace drape

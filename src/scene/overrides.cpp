@@ -1,0 +1,92 @@
+#include "scene/overrides.h"
+
+#include <charconv>
+
+#include "base/error.h"
+#include "scene/keys.h"
+
+namespace drape {
+
+namespace {
+
+// "cloth[0].fabric" -> cloth, 0, fabric
+std::vector<std::string> parts_of(std::string_view key, const Place& place) {
+    constexpr size_t most_parts = 32;
+    std::vector<std::string> parts(1);
+    for (size_t i = 0; i < key.size(); ++i) {
+        const bool closes = key[i] == ']';
+        if (closes && i + 1 < key.size() && key[i + 1] != '.' && key[i + 1] != '[')
+            fail(place, "expected . or [ after ]");
+        if (key[i] == '.' || key[i] == '[')
+            parts.emplace_back();
+        else if (!closes)
+            parts.back() += key[i];
+    }
+    for (const std::string& part : parts)
+        if (part.empty()) fail(place, "an empty part in the key (write it as cloth.0.fabric=...)");
+    if (parts.size() > most_parts) fail(place, "a key of more than ", most_parts, " parts");
+    return parts;
+}
+
+void put_in_place(Value& value, const Place& place) {
+    value.place = value.key_place = place;
+    for (Value& item : value.items) put_in_place(item, place);
+}
+
+Value parse_value(const std::string& text, const Place& place) {
+    const auto as_plain_text = [&] {
+        Value value;
+        value.kind = Value::Kind::text;
+        value.text = text;
+        return value;
+    };
+    // a second line would be a second key
+    const bool one_line = text.find('\n') == std::string::npos;
+    if (!text.empty() && one_line) {
+        try {
+            return parse_toml("value = " + text, "--set").items.front();
+        } catch (const Error&) {
+            if (std::string_view("[{\"'").find(text[0]) == std::string_view::npos) return as_plain_text();
+        }
+    }
+    fail(place, quoted(text), " is not a TOML value");
+}
+
+// the item of `parent` that `part` names: an element that is there, or a key, made if it is missing
+Value& item_of(Value& parent, const std::string& part, const Place& place) {
+    if (parent.kind == Value::Kind::array) {
+        size_t index = 0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+        if (error != std::errc() || end != part.data() + part.size() || index >= parent.items.size())
+            fail(place, "no element ", quoted(part), " in an array of ", parent.items.size(),
+                 " (they count from 0)");
+        return parent.items[index];
+    }
+    if (parent.kind != Value::Kind::table)
+        fail(place, "no key ", quoted(part), " in ", description_of(parent), ", which is not a table");
+    if (Value* item = parent.find(part)) return *item;
+    Value& made = parent.items.emplace_back();
+    made.key = part;
+    made.place = made.key_place = place;
+    return made;
+}
+
+}  // namespace
+
+void apply_override(Value& scene, const std::string& assignment) {
+    const std::string shown = quoted(assignment);
+    const Place place{"--set " + shown.substr(1, shown.size() - 2)};
+    const size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0) fail(place, "expected KEY=VALUE");
+
+    Value* target = &scene;
+    for (const std::string& part : parts_of(std::string_view(assignment).substr(0, equals), place))
+        target = &item_of(*target, part, place);
+
+    Value value = parse_value(assignment.substr(equals + 1), place);
+    put_in_place(value, place);
+    value.key = target->key;
+    *target = std::move(value);
+}
+
+}  // namespace drape

@@ -1,0 +1,12 @@
+// Where something stands in the scene file, for messages.
+#pragma once
+
+#include <string>
+
+namespace drape {
+
+struct Place {
+    std::string text;  // "scenes/flag.toml:12:3", or "--set cloth.0.fabric=silk"
+};
+
+}  // namespace drape

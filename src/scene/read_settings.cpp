@@ -1,0 +1,59 @@
+// [accuracy] and [air].
+
+#include <algorithm>
+
+#include "scene/keys.h"
+#include "scene/read_parts.h"
+
+namespace drape {
+
+namespace {
+
+// the methods of the command contract that this version does not have
+constexpr std::string_view later_methods[] = {
+    "srkn4",          "srkn6", "rk4",     "embedded_rk", "backward_euler_1",
+    "backward_euler", "bdf2",  "tr_bdf2", "xpbd",        "projective_dynamics"};
+
+}  // namespace
+
+AccuracyDescription read_accuracy(const Value& value) {
+    const Keys keys(value, "accuracy", {"method", "step", "tolerance", "budget"});
+    for (const std::string_view later : {"tolerance", "budget"})
+        if (const Value* given = keys.find(later))
+            fail(given->key_place, later,
+                 ": this version of drape cannot do it yet (method and step, or nothing)");
+    AccuracyDescription accuracy;
+    accuracy.place = keys.place();
+    if (const Value* method = keys.find("method")) {
+        const std::string& word = as_text(*method, "method");
+        const std::vector<std::string> known{"auto", "symplectic_euler", "verlet", "takahashi_imada"};
+        if (std::find(std::begin(later_methods), std::end(later_methods), word) != std::end(later_methods))
+            fail(method->place, "method ", quoted(word), ": this version of drape does not have it yet (",
+                 joined(known), ")");
+        accuracy.method = as_word(*method, "method", known);
+        accuracy.place = method->place;
+    }
+    if (const Value* step = keys.find("step")) accuracy.step = as_number(*step, "step", positive("s"));
+    return accuracy;
+}
+
+AirDescription read_air(const Value& value) {
+    const Keys keys(value, "air", {"drag", "wind", "gust", "density", "lift"});
+    AirDescription air;
+    keys.read("drag", air.drag, not_negative("kg/(s m^2)"));
+    air.aerodynamic = keys.find("wind") != nullptr;
+    for (const std::string_view key : {"gust", "density", "lift"})
+        if (const Value* given = keys.find(key); given && !air.aerodynamic)
+            fail(given->key_place, key, " goes with wind only (wind = [0, 0, 0] is still air)");
+    keys.read("wind", air.wind, any("m/s"));
+    keys.read("density", air.density, positive("kg/m^3"));
+    keys.read("lift", air.lift, not_negative());
+    if (const Value* gust = keys.find("gust")) {
+        const Keys gusts(*gust, "gust", {"strength", "period"});
+        gusts.read("strength", air.gust_strength, not_negative());
+        gusts.read("period", air.gust_period, positive("s"));
+    }
+    return air;
+}
+
+}  // namespace drape

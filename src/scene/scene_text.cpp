@@ -1,0 +1,154 @@
+#include "scene/scene_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "base/error.h"
+#include "base/names.h"
+#include "obstacle/obstacle.h"
+#include "scene/fabric_words.h"
+#include "scene/shape_keys.h"
+
+namespace drape {
+
+namespace {
+
+// the shortest digits that read back as the same number
+std::string toml(double number) {
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+    return std::string(digits, end);
+}
+
+std::string toml(bool value) {
+    return value ? "true" : "false";
+}
+
+std::string toml(const Vec3& v) {
+    return cat("[", toml(v[0]), ", ", toml(v[1]), ", ", toml(v[2]), "]");
+}
+
+std::string toml(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\u%04X",
+                          static_cast<unsigned>(static_cast<unsigned char>(c)));
+            result += escape;
+        } else {
+            result += c;
+        }
+    }
+    return result + "\"";
+}
+
+std::string toml(const Colour& colour) {
+    const auto byte = [](float part) { return static_cast<unsigned>(std::lround(255 * part)); };
+    char text[16];
+    std::snprintf(text, sizeof text, "\"#%02x%02x%02x\"", byte(colour[0]), byte(colour[1]), byte(colour[2]));
+    return text;
+}
+
+std::string toml(const std::vector<Keyframe>& motion) {
+    std::string text;
+    for (const Keyframe& key : motion)
+        text += cat(text.empty() ? "" : ", ", "{ t = ", toml(key.t), ", translate = ", toml(key.translate),
+                    ", rotate_deg = ", toml(key.rotate_deg), " }");
+    return "[" + text + "]";
+}
+
+std::string toml(const PinDescription& pin) {
+    std::string text;
+    if (pin.near) text = cat("near = ", toml(*pin.near));
+    if (pin.within) text += cat(", within = ", toml(*pin.within));
+    if (pin.box) text = cat("box = [", toml((*pin.box)[0]), ", ", toml((*pin.box)[1]), "]");
+    if (pin.boundary) text = cat("boundary = ", *pin.boundary);
+    if (pin.about) text += cat(", about = ", toml(*pin.about));
+    text += cat(", rigid = ", toml(pin.rigid), ", motion = ", toml(pin.motion));
+    return "{ " + text + " }";
+}
+
+std::string toml(const Fabric& fabric, const std::string& preset) {
+    std::string text = preset.empty() ? "{ " : cat("{ preset = ", toml(preset), ", ");
+    text += cat("density = ", toml(fabric.density), ", thickness = ", toml(fabric.thickness));
+    text += cat(", stretch = { model = ", toml(word_for(stretch_words, fabric.stretch_model)),
+                ", value = ", toml(fabric.stretch), " }");
+    text +=
+        cat(", altitude = { mode = ", toml(word_for(altitude_words, fabric.altitude)),
+            ", ratio = ", toml(fabric.altitude_ratio), ", beyond = ", toml(fabric.compressed_beyond), " }");
+    text += cat(", bending = { kind = ", toml(word_for(bending_words, fabric.bending_kind)),
+                ", value = ", toml(fabric.bending), ", poisson = ", toml(fabric.poisson), " }");
+    return text + cat(", damping = ", toml(fabric.damping), " }");
+}
+
+std::string cloth_text(const ClothDescription& cloth) {
+    std::string text = "\n[[cloth]]\n";
+    if (cloth.mesh.empty())
+        text += cat("pattern = { name = ", toml(cloth.pattern), ", size = [", toml(cloth.pattern_size.width),
+                    ", ", toml(cloth.pattern_size.depth), "], divisions = [", cloth.pattern_size.columns,
+                    ", ", cloth.pattern_size.rows, "] }\n");
+    else
+        text += cat("mesh = ", toml(cloth.mesh), "\n");
+    text += cat("place = { translate = ", toml(cloth.placement.translate),
+                ", rotate_deg = ", toml(cloth.placement.rotate_deg),
+                ", scale = ", toml(cloth.placement.scale), " }\n");
+    text += cat("start = { velocity = ", toml(cloth.start.velocity), ", scale = ", toml(cloth.start.scale));
+    if (!cloth.start.mesh.empty()) text += cat(", mesh = ", toml(cloth.start.mesh));
+    text += cat(" }\nfabric = ", toml(cloth.fabric, cloth.fabric_name), "\npins = [");
+    for (const PinDescription& pin : cloth.pins) text += cat("\n    ", toml(pin), ",");
+    text += cat(cloth.pins.empty() ? "]" : "\n]", "\nself_contact = false\n");
+    text +=
+        cat("colour = { front = ", toml(cloth.colours.front), ", back = ", toml(cloth.colours.back),
+            ", stripe = ", toml(cloth.colours.stripe), " }\nstripes = ", toml(cloth.colours.stripes), "\n");
+    return text;
+}
+
+std::string shape_value(const ShapeParameters& parameters, std::string_view name) {
+    for (const auto& key : shape_vectors)
+        if (key.name == name) return toml(parameters.*key.member);
+    return toml(parameters.*find_named(shape_numbers, "obstacle key", name).member);
+}
+
+std::string obstacle_text(const ObstacleDescription& obstacle) {
+    std::string text = cat("\n[[obstacle]]\nshape = ", toml(obstacle.shape), "\n");
+    for (const std::string_view key : find_named(solid_kinds(), "obstacle", obstacle.shape).keys)
+        text += cat(key, " = ", shape_value(obstacle.parameters, key), "\n");
+    return text + cat("friction = ", toml(obstacle.friction), "\nmotion = ", toml(obstacle.motion),
+                      "\ncolour = ", toml(obstacle.colour), "\n");
+}
+
+std::string air_text(const AirDescription& air) {
+    std::string text = cat("\n[air]\ndrag = ", toml(air.drag), "\n");
+    if (!air.aerodynamic) return text;
+    return text + cat("wind = ", toml(air.wind), "\ndensity = ", toml(air.density),
+                      "\nlift = ", toml(air.lift), "\ngust = { strength = ", toml(air.gust_strength),
+                      ", period = ", toml(air.gust_period), " }\n");
+}
+
+std::string look_text(const LookDescription& look) {
+    std::string text = cat("\n[render]\nsize = [", look.size[0], ", ", look.size[1], "]\n");
+    if (look.camera)
+        text += cat("camera = { from = ", toml(look.camera->from), ", at = ", toml(look.camera->at),
+                    ", fov_deg = ", toml(look.camera->fov_deg), " }\n");
+    return text + cat("overlay = ", toml(look.overlay), "\nground = ", toml(look.ground), "\n");
+}
+
+}  // namespace
+
+std::string scene_text(const SceneDescription& scene) {
+    std::string text = cat("schema = 1\n\n[scene]\nname = ", toml(scene.name),
+                           "\nduration = ", toml(scene.duration), "\nframe_rate = ", toml(scene.frame_rate),
+                           "\ngravity = ", toml(scene.gravity), "\nseed = ", scene.seed, "\n");
+    text += cat("\n[accuracy]\nmethod = ", toml(scene.accuracy.method), "\n");
+    if (scene.accuracy.step) text += cat("step = ", toml(*scene.accuracy.step), "\n");
+    for (const ClothDescription& cloth : scene.cloths) text += cloth_text(cloth);
+    for (const ObstacleDescription& obstacle : scene.obstacles) text += obstacle_text(obstacle);
+    return text + air_text(scene.air) + look_text(scene.look);
+}
+
+}  // namespace drape

@@ -1,0 +1,50 @@
+#include "scene/value.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace drape {
+
+const Value* Value::find(std::string_view wanted) const {
+    if (kind != Kind::table) return nullptr;
+    const auto found =
+        std::find_if(items.begin(), items.end(), [&](const Value& item) { return item.key == wanted; });
+    return found == items.end() ? nullptr : &*found;
+}
+
+Value* Value::find(std::string_view wanted) {
+    return const_cast<Value*>(std::as_const(*this).find(wanted));
+}
+
+std::string description_of(const Value& value) {
+    switch (value.kind) {
+        case Value::Kind::boolean:
+            return value.boolean ? "true" : "false";
+        case Value::Kind::integer:
+            return cat("the integer ", value.integer);
+        case Value::Kind::real:
+            return cat("the number ", value.real);
+        case Value::Kind::text:
+            return cat("the text ", quoted(value.text));
+        case Value::Kind::date:
+            return "a date or time";
+        case Value::Kind::array:
+            return cat("an array of ", value.items.size());
+        case Value::Kind::table:
+            return "a table";
+    }
+    return "";
+}
+
+std::string quoted(std::string_view text) {
+    constexpr size_t longest = 60;
+    std::string result = "\"";
+    for (const char c : text.substr(0, longest)) {
+        const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+        result += control ? '?' : c;
+    }
+    return result + (text.size() > longest ? "...\"" : "\"");
+}
+
+}  // namespace drape
