@@ -1,0 +1,116 @@
+#include "force/bend_hinge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "force/bend_plate.h"
+
+namespace drape {
+
+namespace {
+
+struct Dihedral {
+    double angle;
+    std::array<Vec3, 4> gradient;  // of the angle [1/m]
+};
+
+// With e = x1 - x0 and the triangles (x0, x1, x2), (x1, x0, x3), normals N1 = e x (x2 - x0), N2 = (x3 - x0) x
+// e: moving x2 along N1 turns its triangle by 1 / height, height = |N1| / |e|, so grad_2 = -|e| N1 / |N1|^2,
+// the same for x3; the ends of the edge take what is left by moving and turning invariance.
+std::optional<Dihedral> dihedral_of(In x, const int (&v)[4]) {
+    const Vec3 x0 = x.col(v[0]), x1 = x.col(v[1]), x2 = x.col(v[2]), x3 = x.col(v[3]);
+    const Vec3 e = x1 - x0, n1 = e.cross(x2 - x0), n2 = (x3 - x0).cross(e);
+    const double length = e.norm(), s1 = n1.squaredNorm(), s2 = n2.squaredNorm();
+    if (length == 0 || s1 == 0 || s2 == 0) return std::nullopt;
+    Dihedral d;
+    d.angle = std::atan2(n1.cross(n2).dot(e) / length, n1.dot(n2));
+    const Vec3 g2 = -length / s1 * n1, g3 = -length / s2 * n2;
+    const double along2 = (x2 - x0).dot(e) / (length * length), along3 = (x3 - x0).dot(e) / (length * length);
+    d.gradient = {-(1 - along2) * g2 - (1 - along3) * g3, -along2 * g2 - along3 * g3, g2, g3};
+    return d;
+}
+
+// the difference of two angles, the short way round
+double turn(double angle, double rest) {
+    return std::remainder(angle - rest, 2 * std::numbers::pi);
+}
+
+}  // namespace
+
+BendHinge::BendHinge(const Cloth& cloth) {
+    const Mesh& mesh = cloth.mesh;
+    for (const Edge& edge : cloth.topology.edges) {
+        if (edge.face_count != 2) continue;
+        const Vec3 x0 = mesh.rest.col(edge.vertex[0]), x1 = mesh.rest.col(edge.vertex[1]);
+        const Vec3 x2 = mesh.rest.col(edge.opposite[0]), x3 = mesh.rest.col(edge.opposite[1]);
+        const double areas = ((x1 - x0).cross(x2 - x0).norm() + (x1 - x0).cross(x3 - x0).norm()) / 2;
+        Hinge hinge{{edge.vertex[0], edge.vertex[1], edge.opposite[0], edge.opposite[1]},
+                    cloth.fabric.bending * (x1 - x0).squaredNorm() / areas,
+                    0};
+        const auto rest = dihedral_of(mesh.rest, hinge.vertex);
+        if (!rest) continue;
+        hinge.rest_angle = rest->angle;
+        for (int& v : hinge.vertex) v += cloth.first;
+        hinges_.push_back(hinge);
+    }
+    StepBound bound(cloth.first + cloth.vertices());
+    Points rest(3, cloth.first + cloth.vertices());
+    rest.rightCols(cloth.vertices()) = mesh.rest;
+    add_bound(rest, bound);
+    const double fastest_squared =
+        bound.stiffness.tail(cloth.vertices()).cwiseQuotient(cloth.mass).maxCoeff();
+    tau_ = bending_relaxation_time(cloth, fastest_squared);
+}
+
+double BendHinge::energy(In x) const {
+    double energy = 0;
+    for (const Hinge& hinge : hinges_)
+        if (const auto d = dihedral_of(x, hinge.vertex))
+            energy += 0.5 * hinge.stiffness * std::pow(turn(d->angle, hinge.rest_angle), 2);
+    return energy;
+}
+
+void BendHinge::add_conservative(In x, Out f) const {
+    for (const Hinge& hinge : hinges_) {
+        const auto d = dihedral_of(x, hinge.vertex);
+        if (!d) continue;
+        const double moment = hinge.stiffness * turn(d->angle, hinge.rest_angle);
+        for (size_t k = 0; k < 4; ++k) f.col(hinge.vertex[k]) -= moment * d->gradient[k];
+    }
+}
+
+Power BendHinge::add_all(In x, In v, double, Out f) const {
+    double dissipated = 0;
+    for (const Hinge& hinge : hinges_) {
+        const auto d = dihedral_of(x, hinge.vertex);
+        if (!d) continue;
+        double rate = 0;
+        for (size_t k = 0; k < 4; ++k) rate += d->gradient[k].dot(v.col(hinge.vertex[k]));
+        const double moment = hinge.stiffness * (turn(d->angle, hinge.rest_angle) + tau_ * rate);
+        for (size_t k = 0; k < 4; ++k) f.col(hinge.vertex[k]) -= moment * d->gradient[k];
+        dissipated += hinge.stiffness * tau_ * rate * rate;
+    }
+    return {dissipated, 0};
+}
+
+// Row k sums to c |g_k| sum |g_j|, g = grad theta; the part with its second derivative, at most of the order
+// of |theta - theta0| |g|^2, is taken with the largest angle pi.
+void BendHinge::add_bound(In x, StepBound& bound) const {
+    for (const Hinge& hinge : hinges_) {
+        const auto d = dihedral_of(x, hinge.vertex);
+        if (!d) continue;
+        double sum = 0;
+        for (const Vec3& g : d->gradient) sum += g.norm();
+        const double bent = 1 + std::abs(turn(d->angle, hinge.rest_angle));
+        for (size_t k = 0; k < 4; ++k) {
+            const double row = hinge.stiffness * d->gradient[k].norm() * sum;
+            bound.stiffness[hinge.vertex[k]] += row * bent;
+            bound.damping[hinge.vertex[k]] += tau_ * row;
+        }
+    }
+}
+
+}  // namespace drape

@@ -1,0 +1,120 @@
+#include "force/bend_plate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/wide.h"
+#include "force/plate_fit.h"
+
+namespace drape {
+
+namespace {
+
+double rest_area(const Mesh& mesh, int f) {
+    const Vec3 a = mesh.rest.col(mesh.faces(0, f));
+    return (mesh.rest.col(mesh.faces(1, f)) - a).cross(mesh.rest.col(mesh.faces(2, f)) - a).norm() / 2;
+}
+
+// f -= K (x + tau v) for the rows of one cloth
+DRAPE_WIDE void multiply(const int* row, const int* column, const double* value, int rows, const double* x,
+                         double* f) {
+    for (int i = 0; i < rows; ++i) {
+        double sx = 0, sy = 0, sz = 0;
+        for (int k = row[i]; k < row[i + 1]; ++k) {
+            const double* p = x + 3 * column[k];
+            sx += value[k] * p[0];
+            sy += value[k] * p[1];
+            sz += value[k] * p[2];
+        }
+        f[3 * i] -= sx;
+        f[3 * i + 1] -= sy;
+        f[3 * i + 2] -= sz;
+    }
+}
+
+}  // namespace
+
+double bending_relaxation_time(const Cloth& cloth, double fastest_bend_squared) {
+    constexpr double standard_gravity = 9.80665;  // [m/s^2]
+    const Fabric& fabric = cloth.fabric;
+    if (fabric.damping == 0 || fabric.bending == 0 || fastest_bend_squared == 0) return 0;
+    const double length = std::cbrt(fabric.bending / (fabric.density * standard_gravity));
+    const double omega = std::sqrt(fabric.bending / fabric.density) / (length * length);
+    Eigen::VectorXd rows = Eigen::VectorXd::Zero(cloth.vertices());
+    for (const Spring& spring : cloth.network.edges) {
+        rows[spring.a] += 2 * spring.stiffness;
+        rows[spring.b] += 2 * spring.stiffness;
+    }
+    const double omega_stretch = std::sqrt(rows.cwiseQuotient(cloth.mass).maxCoeff());
+    return std::min(2 * fabric.damping / omega, 0.1 * omega_stretch / fastest_bend_squared);
+}
+
+BendPlate::BendPlate(const Cloth& cloth) : first_(cloth.first) {
+    const double nu = cloth.fabric.poisson;
+    std::vector<std::map<int, double>> rows(static_cast<size_t>(cloth.vertices()));
+    for (int t = 0; t < cloth.mesh.triangles(); ++t) {
+        const CurvatureStencil stencil = curvature_stencil(cloth.mesh, cloth.topology, t);
+        incomplete_ += !stencil.complete;
+        const Eigen::VectorXd uu = stencil.weight.row(0), uv = stencil.weight.row(1),
+                              vv = stencil.weight.row(2);
+        const Eigen::MatrixXd k =
+            cloth.fabric.bending * rest_area(cloth.mesh, t) *
+            ((uu + vv) * (uu + vv).transpose() -
+             (1 - nu) * (uu * vv.transpose() + vv * uu.transpose() - 2 * uv * uv.transpose()));
+        for (size_t i = 0; i < stencil.vertex.size(); ++i)
+            for (size_t j = 0; j < stencil.vertex.size(); ++j)
+                rows[static_cast<size_t>(stencil.vertex[i])][stencil.vertex[j]] +=
+                    k(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+    double fastest_squared = 0;
+    row_.push_back(0);
+    for (size_t i = 0; i < rows.size(); ++i) {
+        double sum = 0;
+        for (const auto& [j, value] : rows[i]) {
+            column_.push_back(first_ + j);
+            value_.push_back(value);
+            sum += std::abs(value);
+        }
+        row_.push_back(static_cast<int>(column_.size()));
+        fastest_squared = std::max(fastest_squared, sum / cloth.mass[static_cast<Eigen::Index>(i)]);
+    }
+    tau_ = bending_relaxation_time(cloth, fastest_squared);
+}
+
+double BendPlate::energy(In x) const {
+    double energy = 0;
+    for (size_t i = 0; i + 1 < row_.size(); ++i) {
+        Vec3 sum = Vec3::Zero();
+        for (int k = row_[i]; k < row_[i + 1]; ++k)
+            sum += value_[static_cast<size_t>(k)] * x.col(column_[static_cast<size_t>(k)]);
+        energy += 0.5 * sum.dot(x.col(first_ + static_cast<Eigen::Index>(i)));
+    }
+    return energy;
+}
+
+void BendPlate::add_conservative(In x, Out f) const {
+    multiply(row_.data(), column_.data(), value_.data(), static_cast<int>(row_.size()) - 1, x.data(),
+             f.data() + 3 * first_);
+}
+
+Power BendPlate::add_all(In x, In v, double, Out f) const {
+    add_conservative(x, f);
+    if (tau_ == 0) return {};
+    const Eigen::Index rows = static_cast<Eigen::Index>(row_.size()) - 1;
+    Points damping = Points::Zero(3, rows);
+    multiply(row_.data(), column_.data(), value_.data(), static_cast<int>(rows), v.data(), damping.data());
+    f.middleCols(first_, rows) += tau_ * damping;
+    return {-tau_ * damping.cwiseProduct(v.middleCols(first_, rows)).sum(), 0};
+}
+
+void BendPlate::add_bound(In, StepBound& bound) const {
+    for (size_t i = 0; i + 1 < row_.size(); ++i) {
+        double sum = 0;
+        for (int k = row_[i]; k < row_[i + 1]; ++k) sum += std::abs(value_[static_cast<size_t>(k)]);
+        bound.stiffness[first_ + static_cast<Eigen::Index>(i)] += sum;
+        bound.damping[first_ + static_cast<Eigen::Index>(i)] += tau_ * sum;
+    }
+}
+
+}  // namespace drape

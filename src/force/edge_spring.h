@@ -1,0 +1,28 @@
+// Edge springs: along every mesh edge, with stiffness c [N/m], rest length l0, l = |xi - xj|, n = (xi - xj) /
+// l:
+//   E = 1/2 c (l - l0)^2       f_i = -c (l - l0) n,   damping  f_i = -b n n' (v_i - v_j),   f_j = -f_i
+// (with k = c l0 that is the notes' 1/2 k l0 (l/l0 - 1)^2). At l = 0 there is no direction and no force.
+// Bend springs across an edge are the same springs on other pairs.
+#pragma once
+
+#include "force/force.h"
+
+namespace drape {
+
+class EdgeSprings final : public Force {
+public:
+    EdgeSprings(const std::vector<Spring>& springs, int first_vertex);
+
+    double energy(In x) const override;
+    void add_conservative(In x, Out f) const override;
+    Power add_all(In x, In v, double time, Out f) const override;
+    bool is_conservative() const override { return !damped_; }
+    void add_bound(In x, StepBound& bound) const override;
+
+private:
+    std::vector<int> a_, b_;  // columns of the State
+    std::vector<double> rest_length_, stiffness_, damping_;
+    bool damped_ = false;
+};
+
+}  // namespace drape

@@ -1,0 +1,81 @@
+// A force is a function of the state and adds: it never clears, never sees the step, never moves a vertex.
+// A new force is one file with its class, its row in force_kinds() (forces.cpp), its line in the README; the
+// tests loop over the table and hold every force to the gradient of its energy.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "cloth/model.h"
+#include "force/wind.h"
+
+namespace drape {
+
+// What a force does to the energy budget besides exchanging it with its own potential [W].
+struct Power {
+    double dissipated = 0;  // turned to heat; >= 0
+    double driven = 0;      // put in from outside (wind); may be negative
+
+    Power& operator+=(const Power& other) {
+        dissipated += other.dissipated;
+        driven += other.driven;
+        return *this;
+    }
+};
+
+// Row sums of stiffness and damping matrices, per vertex. By Gershgorin's theorem no mode of the
+// mass-weighted matrix exceeds max_i rows_i / m_i.
+struct StepBound {
+    Eigen::VectorXd stiffness;  // sum_j |K_ij| [N/m]
+    Eigen::VectorXd damping;    // sum_j |B_ij| [N s/m]
+
+    explicit StepBound(int vertices)
+        : stiffness(Eigen::VectorXd::Zero(vertices)), damping(Eigen::VectorXd::Zero(vertices)) {}
+};
+
+class Force {
+public:
+    virtual ~Force() = default;
+
+    // potential energy [J]; 0 for a force that has none (its file says why)
+    virtual double energy(In x) const = 0;
+
+    // f -= dE/dx [N]
+    virtual void add_conservative(In x, Out f) const = 0;
+
+    // f += everything, damping and driving included [N]; needs add_conservative's part too
+    virtual Power add_all(In x, In v, double time, Out f) const {
+        static_cast<void>(v);
+        static_cast<void>(time);
+        add_conservative(x, f);
+        return {};
+    }
+    virtual bool is_conservative() const { return true; }  // false: add_all does more than add_conservative
+
+    // adds this force's rows at the pose x; holds for small changes of pose
+    virtual void add_bound(In x, StepBound& bound) const = 0;
+};
+
+// The world around the cloth.
+struct Surroundings {
+    Vec3 gravity{0, -9.81, 0};  // [m/s^2]
+    AirDescription air;
+};
+
+// Either a force, or the reason why the scene does not need one. `because` is said either way.
+struct MadeForce {
+    std::unique_ptr<Force> force;
+    std::string because;
+};
+
+struct ForceKind {
+    std::string_view name;  // the stage's name in the plan
+    MadeForce (*make)(const Cloth&, const Surroundings&);
+};
+
+// In the order in which they are added.
+std::span<const ForceKind> force_kinds();
+
+}  // namespace drape

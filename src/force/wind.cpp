@@ -1,0 +1,99 @@
+// Wind on every triangle, with u = wind - velocity of the triangle, n its normal, A its area, un = u . n:
+//   drag  1/2 rho A |un| u                           along the flow, by the area the flow sees
+//   lift  1/2 rho A C (|u| un n - un^2 u / |u|)      across the flow, towards the side it pushes
+// (flat-plate theory in its simplest form: both vanish when the sheet lies along the flow). Each corner gets
+// a third. The force follows the air, not a position, so it has no energy. Gusts scale the wind by 1 +
+// strength g(t), g a sum of four sines with seeded phases, |g| <= 1.
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "force/kinds.h"
+
+namespace drape {
+
+namespace {
+
+class Gusts {
+public:
+    explicit Gusts(const AirDescription& air) : strength_(air.gust_strength), period_(air.gust_period) {
+        std::mt19937_64 random(air.seed);
+        for (double& phase : phase_)
+            phase = 2 * std::numbers::pi * static_cast<double>(random() >> 11) * 0x1p-53;
+    }
+    double factor(double time) const {
+        if (strength_ == 0) return 1;
+        double g = 0;
+        for (size_t i = 0; i < phase_.size(); ++i)
+            g += weight[i] * std::sin(2 * std::numbers::pi * pace[i] * time / period_ + phase_[i]);
+        return 1 + strength_ * g;
+    }
+
+private:
+    static constexpr std::array<double, 4> weight{0.4, 0.3, 0.2, 0.1};  // sum 1
+    static constexpr std::array<double, 4> pace{1, 1.73, 3.1, 5.3};     // no common period
+    double strength_, period_;
+    std::array<double, 4> phase_{};
+};
+
+class Wind final : public Force {
+public:
+    Wind(const Cloth& cloth, const AirDescription& air)
+        : faces_(cloth.mesh.faces.array() + cloth.first), air_(air), gusts_(air) {}
+
+    double energy(In) const override { return 0; }
+    void add_conservative(In, Out) const override {}
+    bool is_conservative() const override { return false; }
+
+    Power add_all(In x, In v, double time, Out f) const override {
+        const Vec3 wind = gusts_.factor(time) * air_.wind;
+        const double half_density = air_.density / 2;
+        Power power;
+        for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
+            const int a = faces_(0, t), b = faces_(1, t), c = faces_(2, t);
+            const Vec3 twice_area_normal = (x.col(b) - x.col(a)).cross(x.col(c) - x.col(a));
+            const double twice_area = twice_area_normal.norm();
+            const Vec3 velocity = (v.col(a) + v.col(b) + v.col(c)) / 3;
+            const Vec3 u = wind - velocity;
+            const double speed = u.norm();
+            if (twice_area == 0 || speed == 0) continue;  // no side to push on, or no flow
+            const Vec3 n = twice_area_normal / twice_area;
+            const double un = u.dot(n);
+            const Vec3 force = (half_density * twice_area / 2) *
+                               (std::abs(un) * u + air_.lift * (speed * un * n - (un * un / speed) * u));
+            const Vec3 third = force / 3;
+            f.col(a) += third;
+            f.col(b) += third;
+            f.col(c) += third;
+            power.driven += force.dot(velocity);
+        }
+        return power;
+    }
+
+    // d|force| / dv <= rho A |u| (1 + lift) for the flow at hand; the vertex rows share it by area
+    void add_bound(In x, StepBound& bound) const override {
+        const double fastest = (1 + air_.gust_strength) * air_.wind.norm() + flutter_speed;
+        for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
+            const Vec3 a = x.col(faces_(0, t)), b = x.col(faces_(1, t)), c = x.col(faces_(2, t));
+            const double rate =
+                air_.density * (b - a).cross(c - a).norm() / 2 * fastest * (1 + air_.lift) / 3;
+            for (int k = 0; k < 3; ++k) bound.damping[faces_(k, t)] += rate;
+        }
+    }
+
+private:
+    static constexpr double flutter_speed = 20;  // allowance for the cloth's own speed in the bound [m/s]
+    Faces faces_;
+    AirDescription air_;
+    Gusts gusts_;
+};
+
+}  // namespace
+
+MadeForce make_wind(const Cloth& cloth, const Surroundings& world) {
+    if (!world.air.aerodynamic) return {nullptr, "no air.wind in the scene"};
+    return {std::make_unique<Wind>(cloth, world.air), "air.wind is set"};
+}
+
+}  // namespace drape
