@@ -17,7 +17,9 @@ void read_stretch(const Value& value, Fabric& fabric) {
         // a number of newtons is not one of newtons per metre: with a new model goes a new value
         keys.need("value");
     }
-    keys.read("value", fabric.stretch, positive("N or N/m"));
+    const bool force = fabric.stretch_model == StretchModel::force_per_strain;
+    if (const Value* number = keys.find("value"))
+        fabric.stretch = as_number(*number, "stretch value", positive(force ? "N" : "N/m"));
 }
 
 // altitude = "blend", or { mode = "blend", ratio = 1, beyond = 0.25 }
@@ -46,7 +48,9 @@ void read_bending(const Value& value, Fabric& fabric) {
             (fabric.bending_kind == BendingKind::spring) != (before == BendingKind::spring);
         if (fabric.bending_kind != BendingKind::none && (changes_meaning || before == BendingKind::none))
             keys.need("value");
-        keys.read("value", fabric.bending, not_negative("N m"));
+        const bool fraction = fabric.bending_kind == BendingKind::spring;
+        if (const Value* number = keys.find("value"))
+            fabric.bending = as_number(*number, "bending value", not_negative(fraction ? "" : "N m"));
         keys.read("poisson", fabric.poisson, {.least = -1, .most = 0.5, .above_least = true});
     } else {
         fabric.bending = as_number(value, "bending", not_negative("N m"));
