@@ -33,7 +33,7 @@ struct DrawnCloth {
 };
 
 struct DrawnSolid {
-    Mesh surface;    // in the solid's own frame
+    Mesh surface;  // in the solid's own frame
     Colour colour{0.62f, 0.63f, 0.66f};
     bool is_ground = false;  // a plane: drawn as ground with grid lines, fading into the backdrop
 };
@@ -41,8 +41,8 @@ struct DrawnSolid {
 // wire: the simulated triangles; strain: a colour per vertex with a colour bar; springs: line segments.
 enum class Overlay { none, wire, strain, springs };
 
-struct Segments {       // overlay springs: pairs of points, a colour per segment
-    Points ends;        // 3 x 2S: columns 2s and 2s+1 are the ends of segment s
+struct Segments {  // overlay springs: pairs of points, a colour per segment
+    Points ends;   // 3 x 2S: columns 2s and 2s+1 are the ends of segment s
     std::vector<Colour> colour;
 };
 

@@ -1,0 +1,17 @@
+// From scene light to the picture's sRGB bytes.
+
+// Filmic shoulder and toe: the rational fit of K. Narkowicz (2016), with its exposure.
+vec3 tone_map(vec3 x) {
+    x *= 0.62;
+    return clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+}
+
+vec3 to_srgb(vec3 linear) {
+    return mix(12.92 * linear, 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, greaterThan(linear, vec3(0.0031308)));
+}
+
+vec3 from_srgb(vec3 encoded) {
+    return mix(encoded / 12.92, pow((encoded + 0.055) / 1.055, vec3(2.4)), greaterThan(encoded, vec3(0.04045)));
+}
+
+vec4 display(vec3 light) { return vec4(to_srgb(tone_map(light)), 1.0); }

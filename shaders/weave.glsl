@@ -1,0 +1,40 @@
+// Plain weave: warp and weft cross over and under. Every detail fades before it is smaller than two pixels,
+// so that nothing swims or makes moire.
+
+struct Weave {
+    vec2 slope;    // of the surface along warp and weft axes
+    float gap;     // 1 on a thread, less between threads
+    float tone;    // uneven yarn: brightness about 1
+    float across;  // 1: the thread on top runs along the second axis
+};
+
+float random(vec2 cell) {
+    uvec2 c = uvec2(ivec2(cell));
+    uint h = c.x * 0x9E3779B1u ^ c.y * 0x85EBCA77u;
+    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+    return float((h ^ (h >> 12)) & 0xFFFFu) / 65535.0;
+}
+
+// Smooth noise along a thread: `thread` its number, `along` in lengths of one blot.
+float yarn(float thread, float along) {
+    float cell = floor(along), part = along - cell;
+    return mix(random(vec2(thread, cell)), random(vec2(thread, cell + 1.0)), part * part * (3.0 - 2.0 * part));
+}
+
+// `at` in threads along both axes, `footprint` of a pixel in threads.
+Weave weave_pattern(vec2 at, float footprint) {
+    float fine = 1.0 - smoothstep(0.30, 0.62, footprint);
+    float broad = 1.0 - smoothstep(1.2, 2.5, footprint);
+    vec2 cell = floor(at), c = (at - cell) * 2.0 - 1.0;
+    float top = mod(cell.x + cell.y, 2.0);  // 0: the warp thread, which runs along the second axis
+    vec2 bulge = c * mix(vec2(0.55, 0.30), vec2(0.30, 0.55), top);
+    float side = mix(abs(c.x), abs(c.y), top), end = mix(abs(c.y), abs(c.x), top);
+    Weave w;
+    w.slope = bulge * fine;
+    w.gap = 1.0 - fine * (0.30 * smoothstep(0.55, 1.0, side) + 0.22 * smoothstep(0.5, 1.0, end));
+    float warp = yarn(cell.x, at.y * 0.06), weft = yarn(cell.y + 977.0, at.x * 0.06);
+    float bands = yarn(floor(at.x * 0.25) + 31.0, at.y * 0.02) + yarn(floor(at.y * 0.25) + 613.0, at.x * 0.02);
+    w.tone = 1.0 + fine * 0.16 * (mix(warp, weft, top) - 0.5) + broad * (0.05 * (warp + weft - 1.0) + 0.03 * (bands - 1.0));
+    w.across = mix(0.5, 1.0 - top, fine);
+    return w;
+}

@@ -1,0 +1,20 @@
+// A camera as matrices, for drawing and for asking what it sees.
+#pragma once
+
+#include "render/picture.h"
+
+namespace drape {
+
+struct View {
+    Eigen::Matrix4f to_clip;       // world to clip space
+    Vec3 eye, right, up, forward;  // unit axes
+    double tan_x = 0, tan_y = 0;   // half the picture at distance 1
+    double near = 0, far = 0;      // [m]
+
+    // Throws Error if the camera stands where it looks or its angle is not in (0, 170) degrees.
+    View(const Camera& camera, double aspect);
+    // no point of the sphere is in the picture
+    bool misses(const Vec3& centre, double radius) const;
+};
+
+}  // namespace drape

@@ -1,0 +1,119 @@
+#include "render/smooth_surface.h"
+
+#include <algorithm>
+#include <map>
+
+#include "base/assert.h"
+#include "mesh/topology.h"
+#include "render/normals.h"
+
+namespace drape {
+
+namespace {
+
+// Corner triangles first, then the middle one; middle[c] lies opposite corner c.
+void split(Faces& into, int f, const Eigen::Vector3i& corner, const Eigen::Vector3i& middle) {
+    for (int c = 0; c < 3; ++c) into.col(4 * f + c) << corner[c], middle[(c + 2) % 3], middle[(c + 1) % 3];
+    into.col(4 * f + 3) = middle;
+}
+
+// Splits the drawn triangles like the simulated ones; a seam's twin edges get twin middles.
+DrawnMesh split_drawn(const DrawnMesh& drawn, const Eigen::Matrix3Xi& middle_vertex) {
+    DrawnMesh fine;
+    fine.vertex = drawn.vertex;
+    fine.faces.resize(3, drawn.faces.cols() * 4);
+    std::vector<Eigen::Vector2f> uv;
+    for (int i = 0; i < drawn.uv.cols(); ++i) uv.emplace_back(drawn.uv.col(i));
+    std::map<std::pair<int, int>, int> made;
+    for (int f = 0; f < drawn.faces.cols(); ++f) {
+        Eigen::Vector3i middle;
+        for (int c = 0; c < 3; ++c) {
+            const auto ends = std::minmax(drawn.faces((c + 1) % 3, f), drawn.faces((c + 2) % 3, f));
+            const auto [place, is_new] = made.try_emplace(ends, static_cast<int>(fine.vertex.size()));
+            middle[c] = place->second;
+            if (!is_new) continue;
+            fine.vertex.push_back(middle_vertex(c, f));
+            if (!uv.empty())
+                uv.push_back(0.5f *
+                             (uv[static_cast<size_t>(ends.first)] + uv[static_cast<size_t>(ends.second)]));
+        }
+        split(fine.faces, f, drawn.faces.col(f), middle);
+    }
+    fine.uv.resize(2, static_cast<Eigen::Index>(uv.size()));
+    for (size_t i = 0; i < uv.size(); ++i) fine.uv.col(static_cast<Eigen::Index>(i)) = uv[i];
+    return fine;
+}
+
+}  // namespace
+
+int smoothing_levels(int triangles) {
+    return triangles >= 20000 ? 0 : triangles >= 5000 ? 1 : 2;
+}
+
+SmoothSurface::SmoothSurface(const Mesh& mesh, const DrawnMesh& drawn, int levels)
+    : faces_{mesh.faces}, drawn_(drawn), rest_(mesh.rest) {
+    for (const Edge& edge : build_topology(mesh.faces, mesh.vertices()).edges)
+        simulated_edges_.push_back(edge.vertex);
+    for (int level = 0; level < levels; ++level) refine();
+}
+
+void SmoothSurface::refine() {
+    const Faces& coarse = faces_.back();
+    const int old_vertices = static_cast<int>(rest_.cols());
+    const Topology topology = build_topology(coarse, old_vertices);
+    const auto edge_count = static_cast<int>(topology.edges.size());
+
+    std::vector<std::array<int, 2>> middles;
+    std::map<std::array<int, 2>, int> middle_of;
+    rest_.conservativeResize(3, old_vertices + edge_count);
+    for (int e = 0; e < edge_count; ++e) {
+        const auto& ends = topology.edges[static_cast<size_t>(e)].vertex;
+        middles.push_back(ends);
+        middle_of[ends] = old_vertices + e;
+        rest_.col(old_vertices + e) = 0.5 * (rest_.col(ends[0]) + rest_.col(ends[1]));
+    }
+    const Eigen::Matrix3Xi middle_vertex = topology.face_edges.array() + old_vertices;
+    Faces fine(3, coarse.cols() * 4);
+    for (int f = 0; f < coarse.cols(); ++f) split(fine, f, coarse.col(f), middle_vertex.col(f));
+    drawn_ = split_drawn(drawn_, middle_vertex);
+
+    std::vector<std::array<int, 2>> halves;
+    for (const auto& ends : simulated_edges_) {
+        const int middle = middle_of.at({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});
+        halves.push_back({ends[0], middle});
+        halves.push_back({middle, ends[1]});
+    }
+    simulated_edges_ = std::move(halves);
+    faces_.push_back(std::move(fine));
+    middles_.push_back(std::move(middles));
+}
+
+Points SmoothSurface::positions(In simulated) const {
+    DRAPE_ASSERT(middles_.empty() ||
+                 simulated.cols() + static_cast<Eigen::Index>(middles_[0].size()) <= rest_.cols());
+    Points x = simulated;
+    for (size_t level = 0; level < middles_.size(); ++level) {
+        const Points normals = vertex_normals(x, faces_[level]);
+        const Eigen::Index old_vertices = x.cols();
+        x.conservativeResize(3, old_vertices + static_cast<Eigen::Index>(middles_[level].size()));
+        Eigen::Index next = old_vertices;
+        for (const auto& [a, b] : middles_[level]) {
+            const Vec3 d = x.col(b) - x.col(a);
+            const Vec3 bend = d.dot(normals.col(b)) * normals.col(b) - d.dot(normals.col(a)) * normals.col(a);
+            x.col(next++) = 0.5 * (x.col(a) + x.col(b)) + bend / 8;
+        }
+    }
+    return x;
+}
+
+Eigen::VectorXf SmoothSurface::spread(const Eigen::VectorXf& simulated) const {
+    Eigen::VectorXf value = simulated;
+    for (const auto& middles : middles_) {
+        Eigen::Index next = value.size();
+        value.conservativeResize(next + static_cast<Eigen::Index>(middles.size()));
+        for (const auto& [a, b] : middles) value[next++] = 0.5f * (value[a] + value[b]);
+    }
+    return value;
+}
+
+}  // namespace drape
