@@ -1,0 +1,39 @@
+# bash completion for drape
+_drape() {
+    local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]}
+    local run="--out --method --step --threads --set --quiet --help"
+    COMPREPLY=()
+
+    if ((COMP_CWORD == 1)); then
+        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect mesh list --help --version" -- "$word")
+        return
+    fi
+    case $previous in
+        --out) mapfile -t COMPREPLY < <(compgen -d -- "$word") && return ;;
+        --cache | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
+        --method)
+            mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada" -- "$word")
+            return
+            ;;
+        --step | --threads | --set | --frames | --size) return ;;
+    esac
+
+    local words
+    case $verb in
+        render) words="$run --frames --size" ;;
+        simulate) words="$run --cache" ;;
+        inspect) words="--help" ;;
+        mesh) words="one_way alternating -o --help" ;;
+        list) words="scenes fabrics methods obstacles patterns --help" ;;
+        *) return ;;
+    esac
+    if [[ $word == -* || $verb == mesh || $verb == list ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+    else
+        # folders to walk through, and scenes; any file where a mesh may stand
+        local pattern='*.toml'
+        [[ $verb == inspect ]] && pattern='*'
+        mapfile -t COMPREPLY < <({ compgen -d -- "$word"; compgen -f -X "!$pattern" -- "$word"; } | sort -u)
+    fi
+}
+complete -o filenames -F _drape drape
