@@ -1,0 +1,36 @@
+// The contact potential: energy per area of cloth at a gap g from an obstacle, inside a thickness d, with u =
+// g/d and strength P [Pa]:
+//   psi = P d ( -ln u - 2 (1 - u) + (1 - u^2) / 2 ),  pressure p = -psi' = P (1 - u)^2 / u,
+//   stiffness psi'' = P / d (1 / u^2 - 1)             for 0 < u < 1, all zero for u >= 1
+// It is twice continuously differentiable at u = 1 and rises without bound towards the surface, so nothing at
+// finite energy gets through; near u = 1 it is soft, so cloth at rest on an obstacle does not set the step.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace drape {
+
+struct Barrier {
+    double thickness = 0;  // d [m]
+    double strength = 0;   // P [Pa]
+
+    double energy(double gap) const {  // per area [J/m^2]
+        if (gap >= thickness) return 0;
+        if (gap <= 0) return std::numeric_limits<double>::infinity();
+        const double u = gap / thickness;
+        return strength * thickness * (-std::log(u) - 2 * (1 - u) + (1 - u * u) / 2);
+    }
+    double pressure(double gap) const {  // [Pa]; needs 0 < gap
+        if (gap >= thickness) return 0;
+        const double u = gap / thickness;
+        return strength * (1 - u) * (1 - u) / u;
+    }
+    double stiffness(double gap) const {  // per area [N/m per m^2]; needs 0 < gap
+        if (gap >= thickness) return 0;
+        const double u = gap / thickness;
+        return strength / thickness * (1 / (u * u) - 1);
+    }
+};
+
+}  // namespace drape

@@ -1,0 +1,85 @@
+#include "contact/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+
+Contact::Contact(const Model& model, const std::vector<Obstacle>& obstacles, const Vec3& gravity,
+                 double expected_speed)
+    : model_(model) {
+    for (const Cloth& cloth : model.cloths) {
+        for (const Obstacle& obstacle : obstacles) {
+            pairs_.emplace_back(model, cloth, obstacle, gravity, expected_speed);
+            thickness_ = std::max(thickness_, pairs_.back().barrier().thickness);
+            if (!obstacle.motion.moves()) continue;
+            // a turning obstacle's surface as far out as cloth can touch it
+            const double reach = obstacle.solid->reach() + obstacle.solid->centre().norm();
+            const double speed = obstacle.motion.top_speed(std::isfinite(reach) ? reach : 1e3);
+            obstacle_speed_ = std::max(obstacle_speed_, speed);
+        }
+    }
+}
+
+void Contact::prepare(const State& state, double h) {
+    const double fastest = std::sqrt(state.v.colwise().squaredNorm().maxCoeff());
+    const double travel = 2 * h * (fastest + obstacle_speed_);  // twice what this step needs
+    if (way_ >= 0) {
+        const double moved = std::sqrt((state.x - gathered_at_).colwise().squaredNorm().maxCoeff()) +
+                             obstacle_speed_ * (state.time - gathered_time_);
+        if (moved + travel <= way_) return;
+    }
+    way_ = std::max(4 * thickness_, 20 * travel);
+    gathered_at_ = state.x;
+    gathered_time_ = state.time;
+    for (ObstacleContact& pair : pairs_) pair.gather(state.x, state.time, way_);
+}
+
+double Contact::energy(In x, double time) const {
+    double energy = 0;
+    for (const ObstacleContact& pair : pairs_) energy += pair.energy(x, time);
+    return energy;
+}
+
+void Contact::add_conservative(In x, double time, Out f) const {
+    for (const ObstacleContact& pair : pairs_) pair.add_conservative(x, time, f);
+}
+
+ObstacleContact::Result Contact::add_all(In x, In v, double time, Out f) {
+    ObstacleContact::Result all;
+    for (ObstacleContact& pair : pairs_) {
+        const ObstacleContact::Result result = pair.add_all(x, v, time, f);
+        all.dissipated += result.dissipated;
+        all.driven += result.driven;
+        all.limits.include(result.limits);
+        all.least_distance = std::min(all.least_distance, result.least_distance);
+        all.contacts += result.contacts;
+        all.crossed = all.crossed || result.crossed;
+    }
+    return all;
+}
+
+ContactWork Contact::rub(Points& v, double h) const {
+    ContactWork all;
+    for (const ObstacleContact& pair : pairs_) {
+        const ContactWork work = pair.rub(v, model_, h);
+        all.dissipated += work.dissipated;
+        all.driven += work.driven;
+    }
+    return all;
+}
+
+double Contact::least_distance(In x, double time) const {
+    double least = INFINITY;
+    for (const ObstacleContact& pair : pairs_) least = std::min(least, pair.least_distance(x, time));
+    return least;
+}
+
+double Contact::lift_out(Points& x) const {
+    double largest = 0;
+    for (const ObstacleContact& pair : pairs_)
+        largest = std::max(largest, pair.lift_out(x, model_, 2 * pair.barrier().thickness));
+    return largest;
+}
+
+}  // namespace drape

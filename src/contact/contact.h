@@ -1,0 +1,42 @@
+// All contact of a scene: every cloth with every obstacle. Skips what cannot be reached: points join a pair's
+// list only when motion could bring them into contact before the next look.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "contact/obstacle_contact.h"
+
+namespace drape {
+
+class Contact {
+public:
+    Contact(const Model& model, const std::vector<Obstacle>& obstacles, const Vec3& gravity,
+            double expected_speed);
+
+    // Before a step from `state` of at most h: makes sure that every point it can bring into contact is
+    // listed.
+    void prepare(const State& state, double h);
+
+    double energy(In x, double time) const;
+    void add_conservative(In x, double time, Out f) const;
+    ObstacleContact::Result add_all(In x, In v, double time, Out f);
+    ContactWork rub(Points& v, double h) const;
+    double least_distance(In x, double time) const;
+
+    // Clears small overlaps of the start (see ObstacleContact::lift_out). Returns the largest move [m].
+    double lift_out(Points& x) const;
+
+    const std::vector<ObstacleContact>& pairs() const { return pairs_; }
+
+private:
+    const Model& model_;
+    std::vector<ObstacleContact> pairs_;
+    double obstacle_speed_ = 0;  // of any obstacle's surface near the cloth at most [m/s]
+    double thickness_ = 0;       // largest of all barriers [m]
+    Points gathered_at_;         // where the lists were made
+    double gathered_time_ = 0;
+    double way_ = -1;  // how far motion may go before they are made again [m]; < 0: not made yet
+};
+
+}  // namespace drape

@@ -1,0 +1,211 @@
+#include "contact/obstacle_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace drape {
+
+namespace {
+
+constexpr int finest_level = 12;
+constexpr double damping_ratio = 0.5;      // of critical, in the normal direction
+constexpr double expected_stretch = 1.05;  // contact points may move apart by this
+
+double longest_edge(const Cloth& cloth) {
+    double longest = 0;
+    for (const Spring& edge : cloth.network.edges) longest = std::max(longest, edge.rest_length);
+    return longest;
+}
+
+double mean_edge(const Cloth& cloth) {
+    double sum = 0;
+    for (const Spring& edge : cloth.network.edges) sum += edge.rest_length;
+    return sum / static_cast<double>(cloth.network.edges.size());
+}
+
+// stretch stiffness per area, as the step bound sees it [N/m per m^2]
+double stretch_stiffness_per_area(const Cloth& cloth) {
+    double sum = 0;
+    for (const Spring& edge : cloth.network.edges) sum += 4 * edge.stiffness;
+    return sum / cloth.area.sum();
+}
+
+Vec3 position(const ContactPoint& point, const double* x) {
+    const auto at = [&](int k) { return Eigen::Map<const Vec3>(x + 3 * point.vertex[k]); };
+    if (point.corners == 1) return at(0);
+    return point.weight[0] * at(0) + point.weight[1] * at(1) + point.weight[2] * at(2);
+}
+
+void push(const ContactPoint& point, const Vec3& force, double* f) {
+    for (int k = 0; k < point.corners; ++k)
+        Eigen::Map<Vec3>(f + 3 * point.vertex[k]) += point.weight[k] * force;
+}
+
+}  // namespace
+
+void ContactLimits::include(const ContactLimits& other) {
+    omega_squared = std::max(omega_squared, other.omega_squared);
+    gamma = std::max(gamma, other.gamma);
+    closing_rate = std::max(closing_rate, other.closing_rate);
+}
+
+ObstacleContact::ObstacleContact(const Model& model, const Cloth& cloth, const Obstacle& obstacle,
+                                 const Vec3& gravity, double expected_speed)
+    : obstacle_(obstacle),
+      faces_(cloth.mesh.faces.array() + cloth.first),
+      area_density_(cloth.mass.sum() / cloth.area.sum()) {
+    barrier_.thickness = std::max(cloth.fabric.thickness, mean_edge(cloth) / 4);
+    // as many points as keep the dip between them within half the thickness
+    const double longest = longest_edge(cloth) * expected_stretch;
+    while (level_ < finest_level && obstacle.solid->sagitta(longest / level_) > barrier_.thickness / 2)
+        ++level_;
+    spacing_ = longest / level_;
+    offset_ = obstacle.solid->sagitta(spacing_);
+    points_ = contact_points(model, cloth, level_);
+    // strong enough to carry twenty times the weight and to stop the expected impact about half way in; where
+    // that leaves room, a sixtieth of the stretch stiffness, which does not set the step
+    const double weight = area_density_ * gravity.norm();
+    const double impact = area_density_ * expected_speed * expected_speed / 2 / barrier_.thickness;
+    barrier_.strength =
+        std::max({20 * weight, 2 * impact, stretch_stiffness_per_area(cloth) * barrier_.thickness / 60});
+}
+
+SurfaceSample ObstacleContact::sample(const Pose& pose, const Vec3& p) const {
+    if (!obstacle_.motion.moves()) return obstacle_.solid->sample(p);
+    SurfaceSample s = obstacle_.solid->sample(pose.back(p));
+    s.normal = pose.rotation * s.normal;
+    return s;
+}
+
+void ObstacleContact::gather(In x, double time, double way) {
+    const Pose pose = obstacle_.motion.at(time).pose;
+    near_.clear();
+    for (size_t i = 0; i < points_.size(); ++i)
+        if (sample(pose, position(points_[i], x.data())).distance < offset_ + barrier_.thickness + way)
+            near_.push_back(static_cast<int>(i));
+}
+
+double ObstacleContact::energy(In x, double time) const {
+    const Pose pose = obstacle_.motion.at(time).pose;
+    double energy = 0;
+    for (const int i : near_) {
+        const ContactPoint& point = points_[static_cast<size_t>(i)];
+        energy += point.area * barrier_.energy(sample(pose, position(point, x.data())).distance - offset_);
+    }
+    return energy;
+}
+
+void ObstacleContact::add_conservative(In x, double time, Out f) const {
+    const Pose pose = obstacle_.motion.at(time).pose;
+    for (const int i : near_) {
+        const ContactPoint& point = points_[static_cast<size_t>(i)];
+        const SurfaceSample s = sample(pose, position(point, x.data()));
+        const double gap = s.distance - offset_;
+        if (gap >= barrier_.thickness || gap <= 0) continue;  // crossing is caught by add_all
+        push(point, point.area * barrier_.pressure(gap) * s.normal, f.data());
+    }
+}
+
+ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f) {
+    const MovingPose moving = obstacle_.motion.at(time);
+    touches_.clear();
+    Result result;
+    for (const int i : near_) {
+        const ContactPoint& point = points_[static_cast<size_t>(i)];
+        const Vec3 at = position(point, x.data());
+        const SurfaceSample s = sample(moving.pose, at);
+        const double gap = s.distance - offset_;
+        result.least_distance = std::min(result.least_distance, s.distance);
+        if (!(gap > 0)) {
+            result.crossed = true;
+            continue;
+        }
+        const Vec3 surface_velocity = obstacle_.motion.moves() ? moving.velocity_at(at) : Vec3::Zero();
+        const double opening = s.normal.dot(position(point, v.data()) - surface_velocity);
+        // a step may use up the way to the barrier and a quarter of what is left inside it
+        const double room = std::max(gap - barrier_.thickness, 0.0) + std::min(gap, barrier_.thickness) / 4;
+        result.limits.closing_rate = std::max(result.limits.closing_rate, -opening / room);
+        if (gap >= barrier_.thickness) continue;
+
+        const double stiffness = barrier_.stiffness(gap), pressure = barrier_.pressure(gap);
+        const double damping = 2 * damping_ratio * std::sqrt(area_density_ * stiffness);
+        const double total = std::max(pressure - damping * opening, 0.0);
+        push(point, point.area * total * s.normal, f.data());
+        touches_.push_back({&point, s.normal, surface_velocity, point.area * total});
+        result.dissipated += point.area * (pressure - total) * opening;
+        result.driven += point.area * total * s.normal.dot(surface_velocity);
+        const double mobility = point.area * point.inverse_mass;
+        result.limits.omega_squared = std::max(result.limits.omega_squared, stiffness * mobility);
+        result.limits.gamma = std::max(result.limits.gamma, damping * mobility);
+    }
+    result.contacts = static_cast<int>(touches_.size());
+    return result;
+}
+
+ContactWork ObstacleContact::rub(Points& v, const Model& model, double h) const {
+    ContactWork work;
+    if (obstacle_.friction == 0) return work;
+    for (const Touch& touch : touches_) {
+        const ContactPoint& point = *touch.point;
+        const Vec3 relative = position(point, v.data()) - touch.surface_velocity;
+        const Vec3 sliding = relative - relative.dot(touch.normal) * touch.normal;
+        const double speed = sliding.norm();
+        if (speed == 0) continue;
+        const double stopping = speed / point.inverse_mass;  // [N s]
+        const double impulse = std::min(obstacle_.friction * touch.normal_force * h, stopping);
+        const Vec3 along = -impulse / speed * sliding;
+        for (int k = 0; k < point.corners; ++k)
+            v.col(point.vertex[k]) += point.weight[k] * model.inverse_mass[point.vertex[k]] * along;
+        work.dissipated += impulse * (speed - impulse * point.inverse_mass / 2);
+        work.driven += along.dot(touch.surface_velocity);
+    }
+    return work;
+}
+
+double ObstacleContact::least_distance(In x, double time) const {
+    const Pose pose = obstacle_.motion.at(time).pose;
+    const int fine = 2 * level_ + 2;
+    double least = INFINITY;
+    for (Eigen::Index f = 0; f < faces_.cols(); ++f) {
+        const Vec3 a = x.col(faces_(0, f)), b = x.col(faces_(1, f)), c = x.col(faces_(2, f));
+        // the distance changes by no more than the way: far triangles need only their corner looked at
+        const double reach = std::max((b - a).norm(), (c - a).norm());
+        const double corner = sample(pose, a).distance;
+        least = std::min(least, corner);
+        if (corner - reach > least) continue;
+        for (int i = 0; i <= fine; ++i)
+            for (int j = 0; i + j <= fine; ++j)
+                least = std::min(
+                    least,
+                    sample(pose, a + double(i) / fine * (b - a) + double(j) / fine * (c - a)).distance);
+    }
+    return least;
+}
+
+double ObstacleContact::lift_out(Points& x, const Model& model, double most) const {
+    const Pose pose = obstacle_.motion.at(0).pose;
+    const double wanted = offset_ + barrier_.thickness / 2;
+    double largest = 0;
+    for (int round = 0; round < 50; ++round) {
+        bool moved = false;
+        for (const ContactPoint& point : points_) {
+            const SurfaceSample s = sample(pose, position(point, x.data()));
+            if (s.distance < -most)
+                throw Error(cat("cloth starts ", -s.distance, " m inside the ", obstacle_.kind,
+                                " (move one of them: at most ", most, " m is put right)"));
+            if (s.distance - offset_ > 0.01 * barrier_.thickness) continue;
+            for (int k = 0; k < point.corners; ++k) {
+                if (model.inverse_mass[point.vertex[k]] == 0) continue;
+                x.col(point.vertex[k]) += (wanted - s.distance) * s.normal;
+                moved = true;
+            }
+            largest = std::max(largest, wanted - s.distance);
+        }
+        if (!moved) return largest;
+    }
+    return largest;
+}
+
+}  // namespace drape

@@ -1,0 +1,90 @@
+// Contact of one cloth with one obstacle: barrier force, normal damping, Coulomb friction with stick.
+//
+// Each contact point (sampling.h) at signed distance phi feels the barrier (barrier.h) over the gap g = phi -
+// offset. The offset is as deep as a flat triangle between neighbouring points can dip into the obstacle, so
+// that when every point keeps g > 0 the whole cloth stays outside. Normal damping -b g' n with b = 2 zeta
+// sqrt(rho psi'') takes the rebound; the sum never pulls. Friction is an impulse of at most mu N h against
+// sliding, and as much as stops it where that is less: below the friction angle a point's speed is exactly
+// that of the obstacle.
+#pragma once
+
+#include <vector>
+
+#include "contact/barrier.h"
+#include "contact/sampling.h"
+#include "obstacle/obstacle.h"
+
+namespace drape {
+
+// What contact did to the energy since it was last asked [J].
+struct ContactWork {
+    double dissipated = 0;
+    double driven = 0;
+};
+
+// What contact asks of the next step.
+struct ContactLimits {
+    double omega_squared = 0;  // largest stiffness over mass of a point in contact [1/s^2]
+    double gamma = 0;          // the same of damping [1/s]
+    double closing_rate = 0;   // largest closing speed over the way that one step may go [1/s]
+
+    void include(const ContactLimits& other);
+};
+
+class ObstacleContact {
+public:
+    // `expected_speed`: an impact that the barrier takes with ease [m/s]; faster ones shorten the step.
+    ObstacleContact(const Model& model, const Cloth& cloth, const Obstacle& obstacle, const Vec3& gravity,
+                    double expected_speed);
+
+    // Gathers the points that motion may bring into contact within `way` [m] of travel.
+    void gather(In x, double time, double way);
+
+    double energy(In x, double time) const;
+    void add_conservative(In x, double time, Out f) const;
+    struct Result {
+        double dissipated = 0, driven = 0;  // power [W]
+        ContactLimits limits;
+        double least_distance = INFINITY;  // of any point [m]
+        int contacts = 0;
+        bool crossed = false;  // a point has g <= 0: the step was too long
+    };
+    // Adds barrier and damping; keeps the normal forces for friction.
+    Result add_all(In x, In v, double time, Out f);
+
+    // Changes velocities by the friction impulses of a time h under the last add_all's normal forces.
+    ContactWork rub(Points& v, const Model& model, double h) const;
+
+    // The least distance of any point of any triangle, on a lattice finer than the contact points' [m].
+    double least_distance(In x, double time) const;
+
+    // Moves vertices that start nearer than the offset, or in the obstacle by no more than `most`, out of it.
+    // Returns the largest move [m]; throws Error where the cloth starts deeper inside.
+    double lift_out(Points& x, const Model& model, double most) const;
+
+    const Barrier& barrier() const { return barrier_; }
+    double offset() const { return offset_; }
+    int level() const { return level_; }
+    const Obstacle& obstacle() const { return obstacle_; }
+
+private:
+    struct Touch {  // a point in contact: what friction needs to know
+        const ContactPoint* point;
+        Vec3 normal, surface_velocity;
+        double normal_force;  // [N]
+    };
+    SurfaceSample sample(const Pose& pose, const Vec3& p) const;
+
+    Obstacle obstacle_;
+    Faces faces_;  // columns of the State
+    std::vector<ContactPoint> points_;
+    std::vector<int> near_;  // points within reach since the last gather
+    std::vector<Touch> touches_;
+    Barrier barrier_;
+    double offset_ = 0;  // [m]
+    int level_ = 1;
+    double area_density_ = 0;  // of the cloth [kg/m^2]
+    double spacing_ = 0;       // between contact points at most [m]
+};
+
+}  // namespace drape

@@ -1,0 +1,91 @@
+#include "integrate/dynamics.h"
+
+#include "base/timer.h"
+
+namespace drape {
+
+Dynamics::Dynamics(const Model& model, std::vector<ActiveForce> forces, std::unique_ptr<Contact> contact)
+    : model_(model), forces_(std::move(forces)), contact_(std::move(contact)) {
+    conservative_ = contact_ == nullptr;
+    for (const ActiveForce& active : forces_)
+        conservative_ = conservative_ && active.force->is_conservative();
+    for (const PinGroup& group : model.pins) conservative_ = conservative_ && !group.motion.moves();
+    for (int i = 0; i < model.vertices(); ++i)
+        if (model.inverse_mass[i] == 0) pinned_.push_back(i);
+}
+
+void Dynamics::to_acceleration(Points& f) const {
+    double* value = f.data();
+    for (Eigen::Index i = 0; i < f.cols(); ++i, value += 3) {
+        const double inverse_mass = model_.inverse_mass[i];
+        value[0] *= inverse_mass;
+        value[1] *= inverse_mass;
+        value[2] *= inverse_mass;
+    }
+}
+
+void Dynamics::conservative_acceleration(In x, double time, Points& a) {
+    ++sweeps_;
+    a.setZero(3, x.cols());
+    for (const ActiveForce& active : forces_) {
+        active.force->add_conservative(x, a);
+        ++active.calls;
+    }
+    if (contact_) {
+        const CpuScope timer(contact_seconds_);
+        contact_->add_conservative(x, time, a);
+    }
+    to_acceleration(a);
+}
+
+void Dynamics::acceleration(In x, In v, double time, Points& a) {
+    ++sweeps_;
+    a.setZero(3, x.cols());
+    power_ = {};
+    for (const ActiveForce& active : forces_) {
+        power_ += active.force->add_all(x, v, time, a);
+        ++active.calls;
+    }
+    if (contact_) {
+        const CpuScope timer(contact_seconds_);
+        touch_ = contact_->add_all(x, v, time, a);
+        power_ += {touch_.dissipated, touch_.driven};
+    }
+    // what holds a pin works against the cloth's pull where the pin moves
+    for (const int i : pinned_) power_.driven -= a.col(i).dot(v.col(i));
+    to_acceleration(a);
+}
+
+void Dynamics::rub(State& state, double h) {
+    if (!contact_) return;
+    const CpuScope timer(contact_seconds_);
+    const ContactWork work = contact_->rub(state.v, h);
+    flow_.dissipated += work.dissipated;
+    flow_.driven += work.driven;
+}
+
+void Dynamics::book(double seconds) {
+    flow_.dissipated += power_.dissipated * seconds;
+    flow_.driven += power_.driven * seconds;
+}
+
+double Dynamics::kinetic_energy(In v) const {
+    double energy = 0;
+    for (Eigen::Index i = 0; i < v.cols(); ++i)
+        if (model_.inverse_mass[i] > 0) energy += 0.5 * model_.mass[i] * v.col(i).squaredNorm();
+    return energy;
+}
+
+double Dynamics::potential_energy(In x, double time) const {
+    double energy = contact_ ? contact_->energy(x, time) : 0;
+    for (const ActiveForce& active : forces_) energy += active.force->energy(x);
+    return energy;
+}
+
+StepBound Dynamics::bound(In x) const {
+    StepBound bound(model_.vertices());
+    for (const ActiveForce& active : forces_) active.force->add_bound(x, bound);
+    return bound;
+}
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+// The equation of motion, m a = f(x, v, t), with pins and contact: what an integrator steps.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cloth/model.h"
+#include "contact/contact.h"
+#include "force/force.h"
+
+namespace drape {
+
+// A force at work under its stage's name, and how often it was asked.
+struct ActiveForce {
+    std::string stage;
+    std::unique_ptr<Force> force;
+    mutable long calls = 0;
+};
+
+// Energy that left or entered since the start [J].
+struct EnergyFlow {
+    double dissipated = 0;  // damping, drag, friction: heat
+    double driven = 0;      // wind, moving pins and obstacles
+};
+
+class Dynamics {
+public:
+    // `contact` may be null: no obstacle. The model must outlive this.
+    Dynamics(const Model& model, std::vector<ActiveForce> forces, std::unique_ptr<Contact> contact);
+
+    // a = conservative forces / m, gravity and contact's barrier included; 0 where pinned
+    void conservative_acceleration(In x, double time, Points& a);
+
+    // a = all forces / m; keeps power, contact limits and friction's normal forces of this moment
+    void acceleration(In x, In v, double time, Points& a);
+
+    // friction impulses of a time h on free vertices' velocities
+    void rub(State& state, double h);
+
+    // books `seconds` of the present power as energy gone
+    void book(double seconds);
+
+    // true if no force depends on velocity, nothing moves by itself and there is no contact: energy is
+    // conserved
+    bool is_conservative() const { return conservative_; }
+
+    double kinetic_energy(In v) const;                 // of free vertices [J]
+    double potential_energy(In x, double time) const;  // elastic, gravity, contact [J]
+    StepBound bound(In x) const;                       // of all forces but contact
+
+    const Model& model() const { return model_; }
+    const std::vector<ActiveForce>& forces() const { return forces_; }
+    Contact* contact() { return contact_.get(); }
+    const ObstacleContact::Result& touch() const { return touch_; }  // of the last acceleration
+    const EnergyFlow& flow() const { return flow_; }
+    void reset_flow(const EnergyFlow& flow) { flow_ = flow; }
+    long sweeps() const { return sweeps_; }
+    double contact_seconds() const { return contact_seconds_; }  // CPU [s]
+
+private:
+    void to_acceleration(Points& f) const;
+
+    const Model& model_;
+    std::vector<ActiveForce> forces_;
+    std::unique_ptr<Contact> contact_;
+    bool conservative_ = true;
+    std::vector<int> pinned_;
+    Power power_;
+    EnergyFlow flow_;
+    ObstacleContact::Result touch_;
+    long sweeps_ = 0;
+    double contact_seconds_ = 0;
+};
+
+}  // namespace drape

@@ -1,0 +1,22 @@
+// The makers of every method, for the table in methods.cpp, and the steps they share.
+#pragma once
+
+#include "integrate/method.h"
+
+namespace drape {
+
+std::unique_ptr<Integrator> make_symplectic_euler();
+std::unique_ptr<Integrator> make_verlet();
+std::unique_ptr<Integrator> make_takahashi_imada();
+
+double symplectic_euler_longest_step(const Spectrum&);
+double verlet_longest_step(const Spectrum&);
+double takahashi_imada_longest_step(const Spectrum&);
+
+// v += h a, then friction's impulses of the time h
+void kick(Dynamics& dynamics, State& state, const Points& a, double h);
+
+// x += h v, t += h, pins to their places
+void drift(Dynamics& dynamics, State& state, double h);
+
+}  // namespace drape
