@@ -23,15 +23,15 @@ float yarn(float thread, float along) {
 
 // `at` in threads along both axes, `footprint` of a pixel in threads.
 Weave weave_pattern(vec2 at, float footprint) {
-    float fine = 1.0 - smoothstep(0.30, 0.62, footprint);
+    float fine = 1.0 - smoothstep(0.28, 0.60, footprint);
     float broad = 1.0 - smoothstep(1.2, 2.5, footprint);
     vec2 cell = floor(at), c = (at - cell) * 2.0 - 1.0;
     float top = mod(cell.x + cell.y, 2.0);  // 0: the warp thread, which runs along the second axis
-    vec2 bulge = c * mix(vec2(0.55, 0.30), vec2(0.30, 0.55), top);
+    vec2 bulge = c * mix(vec2(0.46, 0.26), vec2(0.26, 0.46), top);
     float side = mix(abs(c.x), abs(c.y), top), end = mix(abs(c.y), abs(c.x), top);
     Weave w;
     w.slope = bulge * fine;
-    w.gap = 1.0 - fine * (0.30 * smoothstep(0.55, 1.0, side) + 0.22 * smoothstep(0.5, 1.0, end));
+    w.gap = 1.0 - fine * (0.24 * smoothstep(0.5, 1.0, side) + 0.16 * smoothstep(0.5, 1.0, end));
     float warp = yarn(cell.x, at.y * 0.06), weft = yarn(cell.y + 977.0, at.x * 0.06);
     float bands = yarn(floor(at.x * 0.25) + 31.0, at.y * 0.02) + yarn(floor(at.y * 0.25) + 613.0, at.x * 0.02);
     w.tone = 1.0 + fine * 0.16 * (mix(warp, weft, top) - 0.5) + broad * (0.05 * (warp + weft - 1.0) + 0.03 * (bands - 1.0));

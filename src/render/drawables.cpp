@@ -12,6 +12,8 @@ namespace drape {
 namespace {
 
 constexpr double crease_deg = 40;  // solids: edges sharper than this stay edges
+// threads finer than this many pixels would melt into a smooth sheet, which reads as rubber
+constexpr double least_thread_pixels = 3.1;
 constexpr int floats = static_cast<int>(sizeof(float));
 
 void append(std::vector<float>& to, const Vec3& v) {
@@ -79,11 +81,11 @@ void ClothDrawable::update(const Gl& gl, In simulated, const Eigen::VectorXf& st
     strain_.fill(gl, values);
 }
 
-void ClothDrawable::set_look(const Program& program) const {
+void ClothDrawable::set_look(const Program& program, double pixel) const {
     program.set("front", linear_light(look_.front));
     program.set("back", linear_light(look_.back));
     program.set("stripe", linear_light(look_.stripe));
-    program.set("thread_spacing", static_cast<float>(look_.thread_spacing));
+    program.set("thread_spacing", static_cast<float>(std::max(look_.thread_spacing, least_thread_pixels * pixel)));
     program.set("band", look_.stripes ? Eigen::Vector3f(band_scale_ * Eigen::Vector3f(0.055f, 0.078f, 0.012f))
                                       : Eigen::Vector3f(-2, -1, 0.012f * band_scale_));
 }

@@ -17,7 +17,8 @@ public:
 
     // `simulated`: a column per simulated vertex; `strain`: one each, or none.
     void update(const Gl& gl, In simulated, const Eigen::VectorXf& strain);
-    void set_look(const Program& program) const;
+    // `pixel`: what a pixel spans where the camera looks [m].
+    void set_look(const Program& program, double pixel) const;
     void draw(const Gl& gl) const;
     // Simulated edges of the last update, as drawn: pairs of columns.
     Points edges() const;

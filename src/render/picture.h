@@ -22,9 +22,9 @@ struct Camera {
 
 // The look of a cloth; colours front and back, a woven border band in a third.
 struct ClothLook {
-    Colour front{0.72f, 0.13f, 0.13f}, back{0.80f, 0.74f, 0.62f}, stripe{0.90f, 0.86f, 0.76f};
+    Colour front{0.73f, 0.19f, 0.17f}, back{0.80f, 0.74f, 0.62f}, stripe{0.90f, 0.86f, 0.76f};
     bool stripes = true;
-    double thread_spacing = 1.5e-3;  // between neighbouring threads of the weave [m]
+    double thread_spacing = 1.5e-3;  // between neighbouring threads [m]; drawn coarser where pixels are
 };
 
 struct DrawnCloth {

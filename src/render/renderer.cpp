@@ -209,13 +209,15 @@ void Renderer::Parts::shade(const FrameInput& frame) const {
         solids[s].set_look(programs.solid);
         solids[s].draw(gl);
     }
+    const View view(settings.camera, static_cast<double>(settings.width) / settings.height);
+    const double pixel = 2 * view.tan_y / settings.height * (settings.camera.at - settings.camera.from).norm();
     programs.cloth.use();
     programs.cloth.set("model", here);
     programs.cloth.set("strain_range", settings.overlay == Overlay::strain
                                            ? static_cast<float>(settings.strain_range)
                                            : 0.0f);
     for (const ClothDrawable& cloth : cloths) {
-        cloth.set_look(programs.cloth);
+        cloth.set_look(programs.cloth, pixel);
         cloth.draw(gl);
     }
     gl.DepthMask(GL_TRUE);

@@ -10,7 +10,7 @@
 namespace drape {
 
 inline constexpr double draped_sphere_radius = 0.3;  // [m]
-inline const Vec3 draped_sphere_centre(0, 0.36, 0);
+inline const Vec3 draped_sphere_centre(0, 0.3, 0);
 
 // A sheet of 1 m x 1 m laid over the sphere: distances from its middle run down the sphere, then straight
 // down.
@@ -23,12 +23,12 @@ inline Points draped_over_sphere(const Mesh& sheet) {
         const double from_middle = std::hypot(u, w), around = std::atan2(w, u);
         const double angle = std::min(from_middle / r, leaves),
                      hangs = std::max(from_middle - leaves * r, 0.0);
-        const double depth = std::clamp((angle - 0.75) / (leaves - 0.75), 0.0, 1.0);
+        const double depth = std::clamp((angle - 0.7) / (leaves - 0.7), 0.0, 1.0);
+        // folds stand off the ball, never in it
         const double fold =
-            std::cos(9 * around + 1.1 * std::sin(2 * around)) + 0.4 * std::cos(17 * around + 1);
-        const double out =
-            (r + 0.004) * std::sin(angle) + 0.018 * depth * depth * (1 + fold) + hangs * (0.10 + 0.24 * fold);
-        const double down = (r + 0.004) * std::cos(angle) - 0.93 * hangs;
+            1 + 0.7 * std::cos(10 * around + 1.3 * std::sin(2 * around)) + 0.3 * std::cos(19 * around + 1);
+        const double out = (r + 0.004) * std::sin(angle) + fold * (0.02 * depth * depth + 0.2 * hangs);
+        const double down = (r + 0.004) * std::cos(angle) - 0.96 * hangs;
         x.col(v) = draped_sphere_centre + Vec3(out * std::cos(around), down, out * std::sin(around));
     }
     return x;
