@@ -108,7 +108,7 @@ private:
             ended = words[0] == "end_header";
         }
         find_vertices();
-        if (!text_) line_ = 0;  // a binary body has no lines
+        line_ = text_ ? line_ + 1 : 0;  // a binary body has no lines
     }
 
     void read_format(const std::vector<std::string_view>& words) {
@@ -184,7 +184,8 @@ private:
             for (double i = 0; i < size; ++i) {
                 const double value = next(*property.type, element, index);
                 if (corners && !(value >= 0 && value < vertices_))
-                    fail(cat(where(), ": vertex ", value, " (0 to ", vertices_ - 1, ")"));
+                    fail(cat(where(), ": vertex ", static_cast<long long>(value), " (0 to ",
+                             static_cast<long long>(vertices_) - 1, ")"));
             }
         }
     }

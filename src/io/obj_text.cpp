@@ -40,6 +40,7 @@ public:
         obj.points_lines = points_lines_;
         obj.vertices = Eigen::Map<const Points>(xyz_.data(), 3, static_cast<Eigen::Index>(xyz_.size() / 3));
         if (xyz_.empty()) throw Error(cat(path_, ": has no vertices (lines that begin with \"v\")"));
+        if (faces_.empty()) throw Error(cat(path_, ": has no faces (lines that begin with \"f\")"));
         check_indices();
         obj.plain = plain_text();
         return obj;

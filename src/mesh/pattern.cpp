@@ -1,6 +1,7 @@
 #include "mesh/pattern.h"
 
 #include <array>
+#include <cmath>
 
 #include "base/error.h"
 #include "base/names.h"
@@ -64,7 +65,7 @@ std::span<const PatternKind> pattern_kinds() {
 
 Mesh make_pattern(std::string_view name, const PatternSize& size) {
     const PatternKind& kind = find_named(kinds, "pattern", name);
-    if (!(size.width > 0) || !(size.depth > 0))
+    if (!(size.width > 0 && std::isfinite(size.width) && size.depth > 0 && std::isfinite(size.depth)))
         throw Error(cat("pattern size must be positive, got ", size.width, " x ", size.depth, " m"));
     if (size.columns < 1 || size.rows < 1)
         throw Error(cat("pattern divisions must be at least 1, got ", size.columns, " x ", size.rows));

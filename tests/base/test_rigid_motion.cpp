@@ -1,0 +1,86 @@
+#include "base/rigid_motion.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "base/error.h"
+
+using namespace drape;
+
+namespace {
+
+const std::vector<Keyframe> walk{{0, {0, 0, 0}, {0, 0, 0}},
+                                 {1, {1, 0.5, 0}, {30, 720, -20}},
+                                 {1.5, {1.2, 0.5, -1}, {40, 700, 10}},
+                                 {3, {4, 0.5, -1}, {90, 0, 80}}};
+
+}  // namespace
+
+TEST_CASE("rotations are about x, then y, then z", "[base]") {
+    // y goes to z about x, then z to x about y, then x to y about z
+    const Vec3 turned = rotation_from_degrees({90, 90, 90}) * Vec3::UnitY();
+    CHECK((turned - Vec3::UnitY()).norm() < 1e-15);
+    const Vec3 first = rotation_from_degrees({90, 90, 0}) * Vec3::UnitY();
+    CHECK((first - Vec3::UnitX()).norm() < 1e-15);
+}
+
+TEST_CASE("a pose and its way back cancel", "[base]") {
+    const Pose pose{rotation_from_degrees({10, -70, 200}), {1, 2, 3}};
+    const Vec3 p(0.3, -4, 5);
+    CHECK((pose.back(pose * p) - p).norm() < 1e-14);
+}
+
+TEST_CASE("a motion passes through its keyframes and stands still outside them", "[base]") {
+    const RigidMotion motion(walk);
+    for (const Keyframe& key : walk) {
+        const Pose pose = motion.at(key.t).pose;
+        CHECK((pose.translation - key.translate).norm() < 1e-12);
+        CHECK((pose.rotation - rotation_from_degrees(key.rotate_deg)).norm() < 1e-12);
+    }
+    for (const double t : {-1.0, 0.0, 3.0, 9.0}) {
+        CHECK(motion.at(t).linear == Vec3(0, 0, 0));
+        CHECK(motion.at(t).angular == Vec3(0, 0, 0));
+    }
+    CHECK(motion.end_time() == 3);
+}
+
+TEST_CASE("the velocity a motion tells is the rate at which its points move", "[base]") {
+    const RigidMotion motion(walk);
+    const Vec3 local(0.2, -0.4, 0.7);
+    constexpr double h = 1e-5;
+    for (double t = 0.05; t < 3; t += 0.0937) {
+        const MovingPose now = motion.at(t);
+        const Vec3 rate = (motion.at(t + h).pose * local - motion.at(t - h).pose * local) / (2 * h);
+        CAPTURE(t);
+        CHECK((now.velocity_at(now.pose * local) - rate).norm() < 1e-4);  // measured 2e-6
+    }
+}
+
+TEST_CASE("a motion never overshoots its keyframes and never exceeds its top speed", "[base]") {
+    const RigidMotion motion(walk);
+    constexpr double radius = 0.8;
+    const double top = motion.top_speed(radius);
+    double fastest = 0;
+    for (double t = 0; t <= 3; t += 0.003) {
+        const MovingPose now = motion.at(t);
+        CHECK(now.pose.translation.x() <= 4 + 1e-12);
+        CHECK(now.pose.translation.y() <= 0.5 + 1e-12);
+        CHECK(now.pose.translation.z() >= -1 - 1e-12);
+        fastest = std::max(fastest, now.linear.norm() + radius * now.angular.norm());
+    }
+    CHECK(fastest <= top);
+    CHECK(fastest > top / 6);  // the bound is a bound, not infinity
+}
+
+TEST_CASE("no keyframes is no motion, and times that do not increase are refused", "[base]") {
+    const RigidMotion still;
+    CHECK_FALSE(still.moves());
+    CHECK(still.at(5).pose * Vec3(1, 2, 3) == Vec3(1, 2, 3));
+    CHECK(still.top_speed(1) == 0);
+    Keyframe one, same, never;
+    one.t = same.t = 1;
+    never.t = std::nan("");
+    CHECK_THROWS_AS(RigidMotion({one, same}), Error);
+    CHECK_THROWS_AS(RigidMotion({one, never}), Error);
+}
