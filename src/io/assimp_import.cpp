@@ -6,10 +6,16 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <functional>
 #include <optional>
+#include <string_view>
 
 #include "base/error.h"
 #include "io/endings.h"
+#include "io/isolated.h"
 
 namespace drape {
 
@@ -164,6 +170,56 @@ Eigen::Affine3d fbx_to_metres_y_up(const aiScene& scene, std::vector<std::string
     return settings;
 }
 
+// An imported scene as bytes, to pass from one process to another on the same machine.
+template <class Number>
+void pack_array(std::string& bytes, const Number* data, Eigen::Index size) {
+    bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
+    bytes.append(reinterpret_cast<const char*>(data), static_cast<size_t>(size) * sizeof(Number));
+}
+
+std::string pack(const ImportedScene& scene) {
+    std::string bytes;
+    pack_array(bytes, scene.soup.positions.data(), scene.soup.positions.size());
+    pack_array(bytes, scene.soup.faces.data(), scene.soup.faces.size());
+    pack_array(bytes, scene.soup.corner_uv.data(), scene.soup.corner_uv.size());
+    pack_array(bytes, scene.mark.data(), static_cast<Eigen::Index>(scene.mark.size()));
+    pack_array(bytes, &scene.points_lines, 1);
+    for (const std::string& note : scene.notes)
+        pack_array(bytes, note.data(), static_cast<Eigen::Index>(note.size()));
+    return bytes;
+}
+
+template <class Number>
+std::vector<Number> unpack_array(std::string_view& bytes) {
+    Eigen::Index size = 0;
+    std::memcpy(&size, bytes.data(), sizeof size);
+    std::vector<Number> array(static_cast<size_t>(size));
+    if (size > 0) std::memcpy(array.data(), bytes.data() + sizeof size, array.size() * sizeof(Number));
+    bytes.remove_prefix(sizeof size + array.size() * sizeof(Number));
+    return array;
+}
+
+template <class Matrix>
+Matrix unpack_columns(std::string_view& bytes) {
+    const auto numbers = unpack_array<typename Matrix::Scalar>(bytes);
+    constexpr int rows = Matrix::RowsAtCompileTime;
+    return Eigen::Map<const Matrix>(numbers.data(), rows, static_cast<Eigen::Index>(numbers.size()) / rows);
+}
+
+ImportedScene unpack(std::string_view bytes) {
+    ImportedScene scene;
+    scene.soup.positions = unpack_columns<Points>(bytes);
+    scene.soup.faces = unpack_columns<Faces>(bytes);
+    scene.soup.corner_uv = unpack_columns<Eigen::Matrix2Xf>(bytes);
+    scene.mark = unpack_array<int>(bytes);
+    scene.points_lines = unpack_array<int>(bytes).front();
+    while (!bytes.empty()) {
+        const std::vector<char> note = unpack_array<char>(bytes);
+        scene.notes.emplace_back(note.begin(), note.end());
+    }
+    return scene;
+}
+
 ImportedScene gather(const std::string& path, const Assimp::Importer& importer, const aiScene* scene,
                      bool keep_vertices, bool is_fbx) {
     if (!scene || !scene->mRootNode)
@@ -177,22 +233,43 @@ ImportedScene gather(const std::string& path, const Assimp::Importer& importer, 
     return imported;
 }
 
+// What a sound file of this size needs, with plenty to spare (measured: 8 MB and 0.1 s per MB of OBJ).
+Limits limits_for(std::uint64_t file_bytes) {
+    const std::uint64_t megabytes = file_bytes >> 20;
+    return {(1024 + 64 * megabytes) << 20, static_cast<int>(30 + 2 * megabytes)};
+}
+
+// assimp 5.2.5 has more ways to fail than the checks before it can know, so it works in a process of its own.
+ImportedScene isolated(const std::string& path, std::uint64_t file_bytes,
+                       const std::function<ImportedScene()>& import) {
+    try {
+        return unpack(run_isolated(limits_for(file_bytes), [&] { return pack(import()); }));
+    } catch (const Error& error) {
+        const std::string what = error.what();
+        throw Error(what.starts_with(path) ? what : cat(path, ": ", what));
+    }
+}
+
 }  // namespace
 
 ImportedScene import_file(const std::string& path) {
     const std::string ending = ending_of(path);
-    Assimp::Importer importer;
-    if (ending.empty() || !importer.IsExtensionSupported(ending))
+    if (ending.empty() || !Assimp::Importer().IsExtensionSupported(ending))
         throw Error(cat(path, ": unknown mesh ending \"", ending,
                         "\" (known: .obj, .ply, .glb, .gltf, .fbx, .stl, ...)"));
     const bool keep_vertices = ending == ".ply" || ending == ".glb" || ending == ".gltf";
-    return gather(path, importer, importer.ReadFile(path, flags), keep_vertices, ending == ".fbx");
+    return isolated(path, std::filesystem::file_size(path), [&] {
+        Assimp::Importer importer;
+        return gather(path, importer, importer.ReadFile(path, flags), keep_vertices, ending == ".fbx");
+    });
 }
 
 ImportedScene import_obj(const std::string& path, const std::string& text) {
-    Assimp::Importer importer;
-    return gather(path, importer, importer.ReadFileFromMemory(text.data(), text.size(), flags, "obj"), true,
-                  false);
+    return isolated(path, text.size(), [&] {
+        Assimp::Importer importer;
+        return gather(path, importer, importer.ReadFileFromMemory(text.data(), text.size(), flags, "obj"),
+                      true, false);
+    });
 }
 
 }  // namespace drape

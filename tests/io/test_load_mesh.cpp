@@ -201,6 +201,11 @@ TEST_CASE("what is wrong in a PLY is named, and nothing hangs or allocates", "[i
     CHECK(refusal("typo.ply", typo).find("did you mean \"float\"") != std::string::npos);
 }
 
+TEST_CASE("a file that makes assimp ask for more memory than the file can mean is refused", "[io]") {
+    const std::string off = refusal("many.off", "OFF\n2000000000 1 0\n0 0 0\n");
+    CHECK((off.find("memory") != std::string::npos || off.find("bad_alloc") != std::string::npos));
+}
+
 TEST_CASE("a GLB cut anywhere is refused", "[io]") {
     const std::string whole = bytes_of(meshes + "two_panels.glb");
     for (const size_t size : {3U, 12U, 19U, 20U, 200U, 1000U, 60000U, 118000U}) {
