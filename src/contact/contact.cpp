@@ -5,18 +5,41 @@
 
 namespace drape {
 
+namespace {
+
+// Of a moving obstacle's surface as far out as cloth can touch it, at most [m/s].
+double surface_speed(const Obstacle& obstacle) {
+    if (!obstacle.motion.moves()) return 0;
+    const double reach = obstacle.solid->reach() + obstacle.solid->centre().norm();
+    return obstacle.motion.top_speed(std::isfinite(reach) ? reach : 1e3);
+}
+
+// How fast a cloth may hit an obstacle: by falling from where it starts, and by the obstacle's own motion
+// [m/s].
+double impact_speed(const Cloth& cloth, const Obstacle& obstacle, const Vec3& gravity, const State& start,
+                    double duration) {
+    const auto x = start.x.middleCols(cloth.first, cloth.vertices());
+    const auto v = start.v.middleCols(cloth.first, cloth.vertices());
+    const Pose pose = obstacle.motion.at(0).pose;
+    double way = 0;
+    for (Eigen::Index i = 0; i < x.cols(); ++i)
+        way = std::max(way, obstacle.solid->sample(pose.back(x.col(i))).distance);
+    const double g = gravity.norm(), fall = std::min(way, g * duration * duration / 2);
+    const double started = std::sqrt(v.colwise().squaredNorm().maxCoeff());
+    return started + std::sqrt(2 * g * fall) + surface_speed(obstacle);
+}
+
+}  // namespace
+
 Contact::Contact(const Model& model, const std::vector<Obstacle>& obstacles, const Vec3& gravity,
-                 double expected_speed)
+                 const State& start, double duration)
     : model_(model) {
     for (const Cloth& cloth : model.cloths) {
         for (const Obstacle& obstacle : obstacles) {
-            pairs_.emplace_back(model, cloth, obstacle, gravity, expected_speed);
+            pairs_.emplace_back(model, cloth, obstacle, gravity,
+                                impact_speed(cloth, obstacle, gravity, start, duration));
             thickness_ = std::max(thickness_, pairs_.back().barrier().thickness);
-            if (!obstacle.motion.moves()) continue;
-            // a turning obstacle's surface as far out as cloth can touch it
-            const double reach = obstacle.solid->reach() + obstacle.solid->centre().norm();
-            const double speed = obstacle.motion.top_speed(std::isfinite(reach) ? reach : 1e3);
-            obstacle_speed_ = std::max(obstacle_speed_, speed);
+            obstacle_speed_ = std::max(obstacle_speed_, surface_speed(obstacle));
         }
     }
 }

@@ -11,8 +11,9 @@ namespace drape {
 
 class Contact {
 public:
+    // `start` and `duration` tell how fast cloth may meet each obstacle; the model must outlive this.
     Contact(const Model& model, const std::vector<Obstacle>& obstacles, const Vec3& gravity,
-            double expected_speed);
+            const State& start, double duration);
 
     // Before a step from `state` of at most h: makes sure that every point it can bring into contact is
     // listed.

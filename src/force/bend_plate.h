@@ -26,9 +26,11 @@ public:
 
 private:
     int first_ = 0;
-    std::vector<int> row_, column_;  // compressed rows of K; columns are those of the State
+    std::vector<int> row_, column_;  // compressed rows of K, numbered within the cloth
     std::vector<double> value_;      // [N/m]
     double tau_ = 0;                 // [s]
+    // scratch: position and velocity of each vertex by turns, so that a row of K is read once for both
+    mutable std::vector<double __attribute__((vector_size(32)))> xv_;
     int incomplete_ = 0;
 };
 

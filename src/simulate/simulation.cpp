@@ -1,0 +1,199 @@
+#include "simulate/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "simulate/reach.h"
+#include "simulate/strain.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double margin = 0.95;          // of the longest stable step that is used
+constexpr double measured_excess = 1.1;  // a measured fastest mode is taken to be this much faster
+constexpr int most_halvings = 30;        // of a step that crossed into an obstacle
+
+std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
+    return model.cloths.size() > 1 ? cat(stage, " (cloth ", cloth + 1, ")") : std::string(stage);
+}
+
+// Every free vertex moved, unlike its neighbours: something of every mode is in it.
+Points rough_mode(const Model& model) {
+    Points mode(3, model.vertices());
+    std::mt19937 random(1);
+    for (Eigen::Index i = 0; i < mode.cols(); ++i)
+        for (int c = 0; c < 3; ++c)
+            mode(c, i) = model.inverse_mass[i] > 0 ? double(random()) / double(std::mt19937::max()) - 0.5 : 0;
+    return mode;
+}
+
+}  // namespace
+
+Simulation::Simulation(Setup setup) : setup_(std::move(setup)), state_(setup_.start) {
+    place_pins(setup_.model, state_);
+    build();
+    const bool conservative = dynamics_->is_conservative();
+    if (setup_.method.empty()) {
+        method_ = &method_named(conservative ? "takahashi_imada" : "verlet");
+        chosen_because_ =
+            conservative
+                ? "energy is conserved, so Takahashi-Imada has order four at two sweeps a step"
+                : "damping, drag or contact leave every method at order two, and one sweep is cheapest";
+    } else {
+        method_ = &method_named(setup_.method);
+        chosen_because_ = "asked for";
+    }
+    integrator_ = method_->make();
+    choose_step();
+}
+
+void Simulation::build() {
+    const Model& model = setup_.model;
+    std::vector<ActiveForce> forces;
+    for (const ForceKind& kind : force_kinds()) {
+        for (size_t c = 0; c < model.cloths.size(); ++c) {
+            MadeForce made = kind.make(model.cloths[c], setup_.world);
+            const std::string stage = piece_of(model, kind.name, c);
+            if (made.force) {
+                plan_.use(stage, made.because);
+                forces.push_back({stage, std::move(made.force), 0});
+            } else {
+                plan_.leave_out(stage, made.because);
+            }
+        }
+    }
+    const double duration = setup_.frames / setup_.frame_rate;
+    reach_ = travel_allowance(model, state_, setup_.world, duration);
+    std::vector<Obstacle> within_reach;
+    if (setup_.obstacles.empty()) plan_.leave_out("contact", "no obstacle in the scene");
+    for (size_t i = 0; i < setup_.obstacles.size(); ++i) {
+        const Obstacle& obstacle = setup_.obstacles[i];
+        const std::string stage = cat("contact with obstacle ", i + 1, " (", obstacle.kind, ")");
+        const double gap = clearance(state_, obstacle);
+        if (gap > reach_) {
+            plan_.leave_out(stage,
+                            cat("out of reach: ", gap, " m away, cloth travels at most ", reach_, " m"));
+        } else {
+            plan_.use(stage, "within reach of the cloth");
+            within_reach.push_back(obstacle);
+        }
+    }
+    std::unique_ptr<Contact> contact;
+    if (!within_reach.empty()) {
+        contact = std::make_unique<Contact>(model, within_reach, setup_.world.gravity, state_, duration);
+        lifted_ = contact->lift_out(state_.x);
+    }
+    dynamics_ = std::make_unique<Dynamics>(model, std::move(forces), std::move(contact));
+}
+
+void Simulation::choose_step() {
+    spectrum_ = gershgorin_spectrum(*dynamics_, state_.x);
+    guaranteed_ = method_->longest_step(spectrum_);
+    const bool first = fastest_mode_.size() == 0;
+    if (first) fastest_mode_ = rough_mode(setup_.model);
+    const double measured = measured_omega(*dynamics_, state_.x, state_.time, fastest_mode_, first ? 40 : 6);
+    fastest_mode_ += 1e-3 * std::sqrt(fastest_mode_.squaredNorm() / double(fastest_mode_.size())) *
+                     rough_mode(setup_.model);
+    spectrum_.omega = std::min(spectrum_.omega, measured_excess * measured);
+    longest_ = method_->longest_step(spectrum_);
+    const double frame_time = 1 / setup_.frame_rate;
+    const double wanted = setup_.step ? *setup_.step : margin * longest_;
+    step_ = std::isfinite(wanted) && wanted > 0 ? frame_time / std::ceil(frame_time / wanted * (1 - 1e-12))
+                                                : frame_time;
+}
+
+Energies Simulation::energies() const {
+    return {dynamics_->kinetic_energy(state_.v), dynamics_->potential_energy(state_.x, state_.time)};
+}
+
+double Simulation::guarded_step(double h, FrameReport& report) {
+    Contact* contact = dynamics_->contact();
+    if (!contact) {
+        integrator_->step(*dynamics_, state_, h);
+        return h;
+    }
+    contact->prepare(state_, h);
+    before_ = state_;
+    const EnergyFlow flow = dynamics_->flow();
+    for (int halving = 0; halving <= most_halvings; ++halving, h /= 2) {
+        integrator_->step(*dynamics_, state_, h);
+        const ObstacleContact::Result& touch = dynamics_->touch();
+        if (!touch.crossed) {
+            report.contacts = std::max(report.contacts, touch.contacts);
+            report.least_distance = std::min(report.least_distance, touch.least_distance);
+            return h;
+        }
+        state_ = before_;
+        dynamics_->reset_flow(flow);
+        integrator_->begin(*dynamics_, state_, h / 2);
+    }
+    return 0;
+}
+
+FrameReport Simulation::advance() {
+    FrameReport report;
+    report.index = frame_ + 1;
+    report.least_distance = INFINITY;
+    const State good = state_;
+    const EnergyFlow good_flow = dynamics_->flow();
+    const double end_time = report.index / setup_.frame_rate;
+
+    choose_step();
+    if (Contact* contact = dynamics_->contact()) contact->prepare(state_, step_);
+    integrator_->begin(*dynamics_, state_, step_);
+    report.shortest_step = step_;
+    double h = step_;
+    for (double left = end_time - state_.time; left > 1e-12 * end_time; left = end_time - state_.time) {
+        double allowed = step_;
+        if (dynamics_->contact()) {
+            const ContactLimits& limits = dynamics_->touch().limits;
+            allowed = std::min(allowed, margin * method_->longest_step(with_contact(spectrum_, limits)));
+            if (limits.closing_rate > 0) allowed = std::min(allowed, 1 / limits.closing_rate);
+        }
+        const double wanted = left / std::ceil(left / allowed * (1 - 1e-12));
+        h = guarded_step(wanted, report);
+        ++report.steps;
+        report.shortest_step = std::min(report.shortest_step, h);
+        if (h == 0 || !(state_.v.cwiseAbs().maxCoeff() < 1e9)) break;
+    }
+    if (h > 0) integrator_->end(*dynamics_, state_, step_);
+
+    const bool finite = state_.x.allFinite() && state_.v.allFinite();
+    if (h == 0)
+        report.trouble = cat("cloth was pushed into an obstacle at t = ", state_.time,
+                             " s and no step, however short, keeps it out");
+    else if (!finite || !(state_.v.cwiseAbs().maxCoeff() < 1e9))
+        report.trouble = cat("velocities left all bounds before t = ", end_time, " s with steps of ", step_,
+                             " s (the longest stable one is ", longest_, " s)");
+    else if (left_out_by_reach_ && (state_.x - setup_.start.x).colwise().norm().maxCoeff() > reach_)
+        report.trouble = cat("cloth travelled farther than ", reach_, " m by t = ", end_time,
+                             " s, where an obstacle was left out of contact");
+    if (!report.trouble.empty()) {
+        state_ = good;
+        dynamics_->reset_flow(good_flow);
+        return report;
+    }
+    state_.time = end_time;
+    ++frame_;
+    if (dynamics_->contact())
+        report.least_distance =
+            std::min(report.least_distance, dynamics_->contact()->least_distance(state_.x, state_.time));
+    report.time = state_.time;
+    report.strain = largest_strain(setup_.model, state_.x);
+    report.fastest = std::sqrt(state_.v.colwise().squaredNorm().maxCoeff());
+    report.hash =
+        hash_text(hash_bytes(state_.x.data(), sizeof(double) * static_cast<size_t>(state_.x.size())));
+    return report;
+}
+
+void Simulation::resume(int frame, const State& state, const EnergyFlow& flow) {
+    frame_ = frame;
+    state_ = state;
+    dynamics_->reset_flow(flow);
+}
+
+}  // namespace drape

@@ -1,0 +1,100 @@
+// Frames from steps: chooses the step, advances frame by frame, keeps the last good state, books energy.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/plan.h"
+#include "integrate/dynamics.h"
+#include "integrate/method.h"
+#include "simulate/stable_step.h"
+
+namespace drape {
+
+// Everything a simulation starts from.
+struct Setup {
+    Model model;
+    State start;
+    Surroundings world;
+    std::vector<Obstacle> obstacles;
+    double frame_rate = 30;  // [1/s]
+    int frames = 1;
+    std::string method;          // "" = drape chooses
+    std::optional<double> step;  // [s]; none = the longest stable one
+};
+
+// What a frame brought.
+struct FrameReport {
+    int index = 0;
+    double time = 0;  // [s]
+    long steps = 0;
+    double shortest_step = 0;  // [s]
+    int contacts = 0;          // most at once
+    double least_distance =
+        0;                // from any obstacle over the frame's steps and at its end; infinite without [m]
+    double strain = 0;    // largest |l/l0 - 1|
+    double fastest = 0;   // speed of any vertex at the frame [m/s]
+    std::string hash;     // of the positions
+    std::string trouble;  // "" = good; else why the run cannot go on (the state is the last good one)
+};
+
+struct Energies {
+    double kinetic = 0, potential = 0;  // [J]
+    double total() const { return kinetic + potential; }
+};
+
+class Simulation {
+public:
+    // Throws Error where cloth starts inside an obstacle. `threads` is not used to change any result.
+    explicit Simulation(Setup setup);
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    FrameReport advance();  // one frame
+
+    const Model& model() const { return setup_.model; }
+    const State& state() const { return state_; }
+    int frame() const { return frame_; }  // frames done
+    int frames() const { return setup_.frames; }
+    double frame_rate() const { return setup_.frame_rate; }
+    const std::vector<Obstacle>& obstacles() const { return setup_.obstacles; }
+
+    const Plan& plan() const { return plan_; }
+    const Method& method() const { return *method_; }
+    const std::string& chosen_because() const { return chosen_because_; }
+    double step() const { return step_; }             // of the last frame; before the first: planned [s]
+    double longest_step() const { return longest_; }  // stable by the measured fastest mode [s]
+    double guaranteed_step() const { return guaranteed_; }  // stable by Gershgorin's bound [s]
+    double lifted() const { return lifted_; }               // how far start overlaps were cleared [m]
+
+    Dynamics& dynamics() { return *dynamics_; }
+    Energies energies() const;
+    const EnergyFlow& flow() const { return dynamics_->flow(); }
+
+    // Goes on from a frame reached earlier.
+    void resume(int frame, const State& state, const EnergyFlow& flow);
+
+private:
+    void build();
+    void choose_step();
+    // one step of at most `h`; returns how long it was, 0 if none could be made
+    double guarded_step(double h, FrameReport& report);
+
+    Setup setup_;
+    State state_, before_;
+    Plan plan_;
+    std::unique_ptr<Dynamics> dynamics_;
+    const Method* method_ = nullptr;
+    std::string chosen_because_;
+    std::unique_ptr<Integrator> integrator_;
+    Spectrum spectrum_;
+    Points fastest_mode_;
+    double step_ = 0, longest_ = 0, guaranteed_ = 0, lifted_ = 0;
+    double reach_ = 0;  // no vertex was taken to travel farther when obstacles were left out [m]
+    bool left_out_by_reach_ = false;
+    int frame_ = 0;
+};
+
+}  // namespace drape
