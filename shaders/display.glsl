@@ -10,8 +10,4 @@ vec3 to_srgb(vec3 linear) {
     return mix(12.92 * linear, 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, greaterThan(linear, vec3(0.0031308)));
 }
 
-vec3 from_srgb(vec3 encoded) {
-    return mix(encoded / 12.92, pow((encoded + 0.055) / 1.055, vec3(2.4)), greaterThan(encoded, vec3(0.04045)));
-}
-
 vec4 display(vec3 light) { return vec4(to_srgb(tone_map(light)), 1.0); }

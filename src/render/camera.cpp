@@ -1,5 +1,6 @@
 #include "render/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,6 +50,29 @@ bool View::misses(const Vec3& centre, double radius) const {
     if (depth < near - radius) return true;
     return std::abs(c.dot(right)) - depth * tan_x > radius * std::hypot(1.0, tan_x) ||
            std::abs(c.dot(up)) - depth * tan_y > radius * std::hypot(1.0, tan_y);
+}
+
+void View::project(const Points& points, Eigen::AlignedBox2d& seen) const {
+    for (int i = 0; i < points.cols(); ++i) {
+        const Vec3 c = points.col(i) - eye;
+        const double depth = c.dot(forward);
+        if (depth < near) {
+            seen.extend(Eigen::Vector2d(-1, -1));
+            seen.extend(Eigen::Vector2d(1, 1));
+            return;
+        }
+        seen.extend(Eigen::Vector2d(c.dot(right) / (depth * tan_x), c.dot(up) / (depth * tan_y)));
+    }
+}
+
+PixelBox pixels_around(const Eigen::AlignedBox2d& seen, int width, int height) {
+    if (seen.isEmpty()) return {};
+    const auto pixel = [](double ndc, int size, double beyond) {
+        return static_cast<int>(
+            std::floor(std::clamp((ndc + 1) / 2 * size + beyond, 0.0, static_cast<double>(size))));
+    };
+    const int left = pixel(seen.min().x(), width, -1), low = pixel(seen.min().y(), height, -1);
+    return {left, low, pixel(seen.max().x(), width, 2) - left, pixel(seen.max().y(), height, 2) - low};
 }
 
 Camera frame_automatically(const Eigen::AlignedBox3d& bounds, double aspect) {

@@ -13,8 +13,19 @@ struct View {
 
     // Throws Error if the camera stands where it looks or its angle is not in (0, 170) degrees.
     View(const Camera& camera, double aspect);
+    // Extends `seen` by where the points appear, in [-1, 1]^2 over the picture; by all of it for a point
+    // beside or behind the eye.
+    void project(const Points& points, Eigen::AlignedBox2d& seen) const;
     // no point of the sphere is in the picture
     bool misses(const Vec3& centre, double radius) const;
 };
+
+// A rectangle of pixels, rows from the bottom.
+struct PixelBox {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+// The pixels of `seen` and one more on each side, within the picture.
+PixelBox pixels_around(const Eigen::AlignedBox2d& seen, int width, int height);
 
 }  // namespace drape

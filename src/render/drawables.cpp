@@ -85,7 +85,8 @@ void ClothDrawable::set_look(const Program& program, double pixel) const {
     program.set("front", linear_light(look_.front));
     program.set("back", linear_light(look_.back));
     program.set("stripe", linear_light(look_.stripe));
-    program.set("thread_spacing", static_cast<float>(std::max(look_.thread_spacing, least_thread_pixels * pixel)));
+    program.set("thread_spacing",
+                static_cast<float>(std::max(look_.thread_spacing, least_thread_pixels * pixel)));
     program.set("band", look_.stripes ? Eigen::Vector3f(band_scale_ * Eigen::Vector3f(0.055f, 0.078f, 0.012f))
                                       : Eigen::Vector3f(-2, -1, 0.012f * band_scale_));
 }
@@ -112,7 +113,6 @@ SolidDrawable::SolidDrawable(const Gl& gl, const DrawnSolid& solid)
     const Mesh& mesh = solid.surface;
     const Points normals = corner_normals(mesh.rest, mesh.faces, crease_deg);
     std::vector<float> corners;
-    Eigen::AlignedBox3d box;
     Vec3 area = Vec3::Zero();
     for (int f = 0; f < mesh.triangles(); ++f) {
         const Vec3 a = mesh.rest.col(mesh.faces(0, f)), b = mesh.rest.col(mesh.faces(1, f)),
@@ -122,15 +122,11 @@ SolidDrawable::SolidDrawable(const Gl& gl, const DrawnSolid& solid)
             const Vec3 place = mesh.rest.col(mesh.faces(corner, f));
             append(corners, place);
             append(corners, normals.col(3 * f + corner));
-            box.extend(place);
+            box_.extend(place);
         }
     }
-    if (!box.isEmpty()) {
-        centre_ = box.center();
-        radius_ = box.diagonal().norm() / 2;
-    }
     if (area.norm() > 0) facing_ = area.normalized();
-    corners_ = static_cast<GLsizei>(mesh.faces.size());
+    vertices_drawn_ = static_cast<GLsizei>(mesh.faces.size());
     buffer_.fill(gl, corners, GL_STATIC_DRAW);
     vertices_ =
         make_vertex_array(gl, {{0, &buffer_, 3, 6 * floats, 0}, {1, &buffer_, 3, 6 * floats, 3 * floats}});
@@ -140,9 +136,16 @@ void SolidDrawable::set_look(const Program& program) const {
     program.set("albedo", linear_light(colour_));
 }
 
+Points SolidDrawable::corners() const {
+    Points corners(3, box_.isEmpty() ? 0 : 8);
+    for (int i = 0; i < corners.cols(); ++i)
+        corners.col(i) = box_.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+    return corners;
+}
+
 void SolidDrawable::draw(const Gl& gl) const {
     gl.BindVertexArray(vertices_);
-    gl.DrawArrays(GL_TRIANGLES, 0, corners_);
+    gl.DrawArrays(GL_TRIANGLES, 0, vertices_drawn_);
 }
 
 GroundDrawable::GroundDrawable(const Gl& gl) : buffer_(gl) {

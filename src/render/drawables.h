@@ -22,6 +22,7 @@ public:
     void draw(const Gl& gl) const;
     // Simulated edges of the last update, as drawn: pairs of columns.
     Points edges() const;
+    const Points& positions() const { return x_; }  // as drawn
 
 private:
     const Mesh* mesh_;
@@ -40,16 +41,21 @@ public:
     void set_look(const Program& program) const;
     void draw(const Gl& gl) const;
     bool is_ground() const { return is_ground_; }
-    const Vec3& centre() const { return centre_; }  // in the solid's frame
-    double radius() const { return radius_; }       // of a sphere around it [m]
-    Vec3 facing() const { return facing_; }         // mean normal, in the solid's frame
+    Vec3 centre() const {
+        return box_.isEmpty() ? Vec3(Vec3::Zero()) : box_.center();
+    }  // in the solid's frame
+    double radius() const {
+        return box_.isEmpty() ? 0 : box_.diagonal().norm() / 2;
+    }                                        // of a sphere around it [m]
+    Points corners() const;                  // of a box around it
+    Vec3 facing() const { return facing_; }  // mean normal, in the solid's frame
 
 private:
     Colour colour_;
     bool is_ground_;
-    Vec3 centre_ = Vec3::Zero(), facing_ = Vec3::UnitY();
-    double radius_ = 0;
-    GLsizei corners_ = 0;
+    Eigen::AlignedBox3d box_;
+    Vec3 facing_ = Vec3::UnitY();
+    GLsizei vertices_drawn_ = 0;
     Buffer buffer_;
     GlName vertices_;
 };

@@ -22,8 +22,8 @@ namespace drape {
     X(CheckNamedFramebufferStatus, CHECKNAMEDFRAMEBUFFERSTATUS) \
     X(ClearNamedFramebufferfv, CLEARNAMEDFRAMEBUFFERFV)         \
     X(ClearNamedFramebufferuiv, CLEARNAMEDFRAMEBUFFERUIV)       \
-    X(ColorMask, COLORMASK)                                     \
     X(CompileShader, COMPILESHADER)                             \
+    X(CopyImageSubData, COPYIMAGESUBDATA)                       \
     X(CreateBuffers, CREATEBUFFERS)                             \
     X(CreateFramebuffers, CREATEFRAMEBUFFERS)                   \
     X(CreateProgram, CREATEPROGRAM)                             \
@@ -55,18 +55,17 @@ namespace drape {
     X(GetUniformLocation, GETUNIFORMLOCATION)                   \
     X(LinkProgram, LINKPROGRAM)                                 \
     X(NamedBufferData, NAMEDBUFFERDATA)                         \
-    X(NamedBufferSubData, NAMEDBUFFERSUBDATA)                   \
     X(NamedFramebufferDrawBuffer, NAMEDFRAMEBUFFERDRAWBUFFER)   \
     X(NamedFramebufferReadBuffer, NAMEDFRAMEBUFFERREADBUFFER)   \
     X(NamedFramebufferTexture, NAMEDFRAMEBUFFERTEXTURE)         \
     X(PixelStorei, PIXELSTOREI)                                 \
-    X(PolygonOffset, POLYGONOFFSET)                             \
     X(ProgramUniform1f, PROGRAMUNIFORM1F)                       \
     X(ProgramUniform1i, PROGRAMUNIFORM1I)                       \
     X(ProgramUniform2f, PROGRAMUNIFORM2F)                       \
     X(ProgramUniform3f, PROGRAMUNIFORM3F)                       \
     X(ProgramUniformMatrix4fv, PROGRAMUNIFORMMATRIX4FV)         \
     X(ReadPixels, READPIXELS)                                   \
+    X(Scissor, SCISSOR)                                         \
     X(ShaderSource, SHADERSOURCE)                               \
     X(TextureParameteri, TEXTUREPARAMETERI)                     \
     X(TextureStorage2D, TEXTURESTORAGE2D)                       \

@@ -26,7 +26,7 @@ Programs::Programs(const Gl& gl)
       cloth(gl, files({"frame.glsl", "surface.vert"}),
             files({"frame.glsl", "display.glsl", "lighting.glsl", "weave.glsl", "cloth.frag"})),
       key(gl, files({"frame.glsl", "surface.vert"}), files({"key.frag"})),
-      resolve(gl, files({"screen.vert"}), files({"frame.glsl", "display.glsl", "resolve.frag"})),
+      resolve(gl, files({"screen.vert"}), files({"frame.glsl", "resolve.frag"})),
       line(gl, files({"frame.glsl", "line.vert"}), files({"line.frag"})) {}
 
 }  // namespace drape

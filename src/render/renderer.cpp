@@ -26,6 +26,10 @@ Eigen::Matrix4f matrix_of(const Pose& pose) {
     return m.cast<float>();
 }
 
+Points posed(const Points& points, const Pose& pose) {
+    return (pose.rotation * points).colwise() + pose.translation;
+}
+
 Segments wire_of(const ClothDrawable& cloth) {
     Segments wire;
     wire.ends = cloth.edges();
@@ -60,7 +64,8 @@ struct Renderer::Parts {
     void draw_seen(const FrameInput& frame, const Program& program) const;
     void occlude() const;
     void shade(const FrameInput& frame) const;
-    void antialias() const;
+    PixelBox outlined(const FrameInput& frame) const;
+    void antialias(const FrameInput& frame) const;
     void draw_overlay(const FrameInput& frame);
     Image read() const;
 
@@ -210,7 +215,8 @@ void Renderer::Parts::shade(const FrameInput& frame) const {
         solids[s].draw(gl);
     }
     const View view(settings.camera, static_cast<double>(settings.width) / settings.height);
-    const double pixel = 2 * view.tan_y / settings.height * (settings.camera.at - settings.camera.from).norm();
+    const double pixel =
+        2 * view.tan_y / settings.height * (settings.camera.at - settings.camera.from).norm();
     programs.cloth.use();
     programs.cloth.set("model", here);
     programs.cloth.set("strain_range", settings.overlay == Overlay::strain
@@ -224,16 +230,38 @@ void Renderer::Parts::shade(const FrameInput& frame) const {
     gl.DepthFunc(GL_LESS);
 }
 
-void Renderer::Parts::antialias() const {
+// Only where something has an outline: ground and backdrop blend softly by themselves.
+void Renderer::Parts::antialias(const FrameInput& frame) const {
+    const PixelBox box = outlined(frame);
+    if (box.width <= 0 || box.height <= 0) return;
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(box.x, box.y, box.width, box.height);
+    begin(targets.key_frame, settings.width, settings.height);
+    targets.clear_keys(gl);
+    draw_seen(frame, programs.key);
     gl.Disable(GL_DEPTH_TEST);
-    begin(targets.picture_frame, settings.width, settings.height);
+    begin(targets.resolved_frame, settings.width, settings.height);
     screen_pass(programs.resolve, {targets.colour, targets.depth, targets.seen, targets.keys});
+    gl.Disable(GL_SCISSOR_TEST);
     gl.Enable(GL_DEPTH_TEST);
+    gl.CopyImageSubData(targets.resolved, GL_TEXTURE_2D, 0, box.x, box.y, 0, targets.colour, GL_TEXTURE_2D, 0,
+                        box.x, box.y, 0, box.width, box.height, 1);
+}
+
+// The pixels that cloths and solids may touch.
+PixelBox Renderer::Parts::outlined(const FrameInput& frame) const {
+    const View view(settings.camera, static_cast<double>(settings.width) / settings.height);
+    Eigen::AlignedBox2d seen;
+    for (const ClothDrawable& cloth : cloths) view.project(cloth.positions(), seen);
+    for (size_t s = 0; s < solids.size(); ++s)
+        if (!solids[s].is_ground()) view.project(posed(solids[s].corners(), frame.solid[s]), seen);
+    return pixels_around(seen, settings.width, settings.height);
 }
 
 void Renderer::Parts::draw_overlay(const FrameInput& frame) {
     if (settings.overlay != Overlay::wire && settings.overlay != Overlay::springs) return;
     const bool wire = settings.overlay == Overlay::wire;
+    begin(targets.colour_frame, settings.width, settings.height);
     gl.DepthFunc(GL_LEQUAL);
     gl.DepthMask(GL_FALSE);
     gl.Enable(GL_BLEND);
@@ -259,7 +287,7 @@ void Renderer::Parts::draw_overlay(const FrameInput& frame) {
 Image Renderer::Parts::read() const {
     Image image(settings.width, settings.height);
     std::vector<std::uint8_t> rgba(image.rgb.size() / 3 * 4);
-    gl.BindFramebuffer(GL_FRAMEBUFFER, targets.picture_frame);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, targets.colour_frame);
     gl.ReadPixels(0, 0, settings.width, settings.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     // GL's rows start at the bottom
     for (int y = 0; y < image.height; ++y) {
@@ -285,14 +313,12 @@ Image Renderer::draw(const FrameInput& frame) {
     p.update(frame);
     p.gl.Enable(GL_DEPTH_TEST);
     p.cast_shadows(frame);
-    p.targets.clear(p.gl);
+    p.targets.clear_seen(p.gl);
     p.begin(p.targets.seen_frame, p.settings.width, p.settings.height);
     p.draw_seen(frame, p.programs.geometry);
     p.occlude();
     p.shade(frame);
-    p.begin(p.targets.key_frame, p.settings.width, p.settings.height);
-    p.draw_seen(frame, p.programs.key);
-    p.antialias();
+    p.antialias(frame);
     p.draw_overlay(frame);
     Image image = p.read();
     p.gl.check("drawing a frame");
