@@ -45,8 +45,8 @@ struct PinDescription {
 };
 
 struct ClothColours {
-    Colour front{}, back{}, stripe{};  // the reader's palette gives each cloth its own
-    bool stripes = true;               // the woven border band
+    std::optional<Colour> front, back, stripe;  // none: the picture's palette chooses
+    bool stripes = true;                        // the woven border band
 };
 
 struct ClothDescription {

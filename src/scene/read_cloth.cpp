@@ -1,7 +1,5 @@
 // [[cloth]]: where its mesh comes from, where it stands, what it is made of, what holds it.
 
-#include <array>
-
 #include "scene/keys.h"
 #include "scene/read_parts.h"
 
@@ -10,20 +8,6 @@ namespace drape {
 namespace {
 
 constexpr int most_divisions = 1'000'000;
-
-constexpr Colour from_hex(unsigned rgb) {
-    const auto part = [](unsigned byte) { return static_cast<float>(byte & 0xff) / 255.0f; };
-    return {part(rgb >> 16), part(rgb >> 8), part(rgb)};
-}
-
-// what cloths look like that say nothing: red, blue, green, ochre, plum, and round again
-constexpr std::array palette{
-    ClothColours{from_hex(0xb82121), from_hex(0xccbd9e), from_hex(0xe6dbc2)},
-    ClothColours{from_hex(0x24528f), from_hex(0xc9c4b4), from_hex(0xe3e0d5)},
-    ClothColours{from_hex(0x3b6b45), from_hex(0xcfc8a8), from_hex(0xe8e2c8)},
-    ClothColours{from_hex(0xc08a2b), from_hex(0x8a7a66), from_hex(0xf0e4c6)},
-    ClothColours{from_hex(0x6b3560), from_hex(0xc7b3c0), from_hex(0xe9dde4)},
-};
 
 // pattern = { name = "alternating", size = [1, 1], divisions = [64, 64] }
 void read_pattern(const Value& value, ClothDescription& cloth) {
@@ -93,13 +77,12 @@ PinDescription read_pin(const Value& value) {
     return pin;
 }
 
-ClothDescription read_cloth(const Value& value, int index) {
+ClothDescription read_cloth(const Value& value) {
     const Keys keys(
         value, "cloth",
         {"mesh", "pattern", "place", "start", "fabric", "pins", "self_contact", "colour", "stripes"});
     ClothDescription cloth;
     cloth.place = cloth.mesh_place = cloth.fabric_place = keys.place();
-    cloth.colours = palette[static_cast<size_t>(index) % palette.size()];
 
     const Value *mesh = keys.find("mesh"), *pattern = keys.find("pattern");
     if ((mesh != nullptr) == (pattern != nullptr))

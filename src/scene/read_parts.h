@@ -6,8 +6,7 @@
 
 namespace drape {
 
-// `index` is the cloth's number in the scene: it picks the palette's colours.
-ClothDescription read_cloth(const Value&, int index);
+ClothDescription read_cloth(const Value&);
 PinDescription read_pin(const Value&);
 // `preset` receives the name of the preset the fabric is or starts from, or "".
 Fabric read_fabric(const Value&, std::string& preset);

@@ -79,8 +79,7 @@ SceneDescription read_scene(const std::string& path, const std::vector<std::stri
     if (const Value* table = keys.find("scene")) read_scene_table(*table, scene);
     if (const Value* accuracy = keys.find("accuracy")) scene.accuracy = read_accuracy(*accuracy);
     if (const Value* cloths = keys.find("cloth"))
-        for (const Value& cloth : tables_of(*cloths, "cloth"))
-            scene.cloths.push_back(read_cloth(cloth, static_cast<int>(scene.cloths.size())));
+        for (const Value& cloth : tables_of(*cloths, "cloth")) scene.cloths.push_back(read_cloth(cloth));
     if (scene.cloths.empty()) throw Error(path + ":1:1: no cloth (at least one [[cloth]])");
     if (const Value* obstacles = keys.find("obstacle"))
         for (const Value& obstacle : tables_of(*obstacles, "obstacle"))

@@ -86,6 +86,19 @@ std::string toml(const Fabric& fabric, const std::string& preset) {
     return text + cat(", damping = ", toml(fabric.damping), " }");
 }
 
+// colours the scene leaves to the picture's palette stay out
+std::string colours_text(const ClothColours& colours) {
+    std::string given;
+    const auto add = [&](std::string_view key, const std::optional<Colour>& colour) {
+        if (colour) given += cat(given.empty() ? "" : ", ", key, " = ", toml(*colour));
+    };
+    add("front", colours.front);
+    add("back", colours.back);
+    add("stripe", colours.stripe);
+    return cat(given.empty() ? "" : "colour = { " + given + " }\n", "stripes = ", toml(colours.stripes),
+               "\n");
+}
+
 std::string cloth_text(const ClothDescription& cloth) {
     std::string text = "\n[[cloth]]\n";
     if (cloth.mesh.empty())
@@ -102,10 +115,7 @@ std::string cloth_text(const ClothDescription& cloth) {
     text += cat(" }\nfabric = ", toml(cloth.fabric, cloth.fabric_name), "\npins = [");
     for (const PinDescription& pin : cloth.pins) text += cat("\n    ", toml(pin), ",");
     text += cat(cloth.pins.empty() ? "]" : "\n]", "\nself_contact = false\n");
-    text +=
-        cat("colour = { front = ", toml(cloth.colours.front), ", back = ", toml(cloth.colours.back),
-            ", stripe = ", toml(cloth.colours.stripe), " }\nstripes = ", toml(cloth.colours.stripes), "\n");
-    return text;
+    return text + colours_text(cloth.colours);
 }
 
 std::string shape_value(const ShapeParameters& parameters, std::string_view name) {

@@ -110,10 +110,11 @@ TEST_CASE("self contact is refused as not there yet, never ignored", "[scene]") 
 }
 
 TEST_CASE("a cloth's colours are its own, the palette's where it says nothing", "[scene]") {
-    const SceneDescription scene =
-        scene_of(with_cloth("colour = { front = \"#ff8000\" }\nstripes = false\n[[cloth]]\npattern = {}\n"));
-    CHECK(scene.cloths[0].colours.front == Colour{1, 128 / 255.0f, 0});
-    CHECK_FALSE(scene.cloths[0].colours.stripes);
-    CHECK(scene.cloths[1].colours.stripes);
-    CHECK(scene.cloths[0].colours.back != scene.cloths[1].colours.back);
+    const ClothColours colours =
+        scene_of(with_cloth("colour = { front = \"#ff8000\" }\nstripes = false\n")).cloths.at(0).colours;
+    CHECK(colours.front == Colour{1, 128 / 255.0f, 0});
+    CHECK_FALSE(colours.back);
+    CHECK_FALSE(colours.stripe);
+    CHECK_FALSE(colours.stripes);
+    CHECK(scene_of(with_cloth("")).cloths.at(0).colours.stripes);
 }
