@@ -39,10 +39,7 @@ void main() {
     vec3 side = gl_FrontFacing ? front : back, other = gl_FrontFacing ? back : front;
     // the band is woven through: on the back it shows in the front's colour
     vec3 albedo = mix(side, gl_FrontFacing ? stripe : front, striped) * woven.tone * (1.0 - 0.25 * hem);
-    if (strain_range > 0.0) {
-        vec3 told = textureLod(strain_colours, vec2(strain_at / strain_range * 0.5 + 0.5, 0.5), 0.0).rgb;
-        albedo = mix(told, vec3(dot(told, vec3(0.3))), gl_FrontFacing ? 0.0 : 0.35);
-    }
+    if (strain_range > 0.0) albedo = vec3(0.42 * woven.tone);
     vec3 dark_side = mix(other, stripe, striped);
 
     float nl = dot(m, l), nv = max(dot(n, v), 0.0), smooth_nl = dot(n, l);
@@ -66,4 +63,8 @@ void main() {
     vec3 shaded = albedo * woven.gap * (key * diffuse + sky) + key * (through + tint * (sheen + gleam)) +
                   tint * ambient_light(n) * (fuzz * 0.22 * light.x);
     colour = display(shaded);
+    if (strain_range > 0.0) {  // the map's colours, with just enough shade to read the form
+        vec3 told = textureLod(strain_colours, vec2(strain_at / strain_range * 0.5 + 0.5, 0.5), 0.0).rgb;
+        colour.rgb = to_srgb(told) * min(0.5 + 0.62 * colour.g, 1.06) * (gl_FrontFacing ? 1.0 : 0.8);
+    }
 }

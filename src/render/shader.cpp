@@ -1,9 +1,9 @@
 #include "render/shader.h"
 
+#include <algorithm>
 #include <array>
 #include <regex>
 
-#include "base/assert.h"
 #include "base/error.h"
 #include "render/shader_table.h"
 
@@ -11,19 +11,24 @@ namespace drape {
 
 namespace {
 
-// Mesa reports "FILE:LINE(COLUMN): error: ..." with the file number that #line gave.
+// Mesa forgets #line's file number in most messages, so each file starts at a line of its own: file i at
+// i * lines_per_file + 1.
+constexpr size_t lines_per_file = 10000;
+
+// "shaders/FILE:LINE:COLUMN: what is wrong" from "0:LINE(COLUMN): error: what is wrong".
 std::string readable_log(const std::string& log, const std::vector<ShaderFile>& files) {
     std::smatch place;
-    if (!std::regex_search(log, place, std::regex(R"((\d+):(\d+)\((\d+)\): error: ([^\n]*))"))) return log;
-    const auto file = static_cast<size_t>(std::stoul(place[1]));
-    const std::string_view name = file < files.size() ? files[file].name : "?";
-    return cat("shaders/", name, ":", place[2].str(), ":", place[3].str(), ": ", place[4].str());
+    if (!std::regex_search(log, place, std::regex(R"(\d+:(\d+)\((\d+)\): [a-z ]*error: ([^\n]*))")))
+        return log;
+    const size_t line = std::stoul(place[1]), file = std::min(line / lines_per_file, files.size() - 1);
+    return cat("shaders/", files[file].name, ":", line - file * lines_per_file, ":", place[2].str(), ": ",
+               place[3].str());
 }
 
 GLuint compile(const Gl& gl, GLenum stage, const std::vector<ShaderFile>& files) {
     std::string text = "#version 450 core\n";
     for (size_t i = 0; i < files.size(); ++i)
-        text += cat("#line 1 ", i, "\n") + std::string(files[i].text) + "\n";
+        text += cat("#line ", i * lines_per_file + 1, "\n") + std::string(files[i].text) + "\n";
     const GLuint shader = gl.CreateShader(stage);
     const char* source = text.c_str();
     gl.ShaderSource(shader, 1, &source, nullptr);
