@@ -56,7 +56,7 @@ void View::project(const Points& points, Eigen::AlignedBox2d& seen) const {
     for (int i = 0; i < points.cols(); ++i) {
         const Vec3 c = points.col(i) - eye;
         const double depth = c.dot(forward);
-        if (depth < near) {
+        if (!(depth >= near && depth < 1e30)) {
             seen.extend(Eigen::Vector2d(-1, -1));
             seen.extend(Eigen::Vector2d(1, 1));
             return;
@@ -80,9 +80,9 @@ Camera frame_automatically(const Eigen::AlignedBox3d& bounds, double aspect) {
     const Vec3 centre = bounds.isEmpty() ? Vec3(Vec3::Zero()) : bounds.center();
     const double size = bounds.isEmpty() ? 1 : std::max(bounds.diagonal().norm(), 1e-3);
     // from the front right and a little above
-    const Vec3 towards_eye = Vec3(0.52, 0.42, 1.0).normalized();
+    const Vec3 towards_eye = Vec3(0.50, 0.36, 1.0).normalized();
     const Vec3 right = Vec3::UnitY().cross(towards_eye).normalized(), up = towards_eye.cross(right);
-    const double margin = 1.12;
+    const double margin = 1.08;
     const double tan_y = std::tan(radians(camera.fov_deg) / 2) / margin, tan_x = tan_y * aspect;
 
     // Slides sideways and back until the outermost corners touch the margin on both sides. In axes where the

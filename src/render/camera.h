@@ -14,7 +14,7 @@ struct View {
     // Throws Error if the camera stands where it looks or its angle is not in (0, 170) degrees.
     View(const Camera& camera, double aspect);
     // Extends `seen` by where the points appear, in [-1, 1]^2 over the picture; by all of it for a point
-    // beside or behind the eye.
+    // behind the eye or not finite.
     void project(const Points& points, Eigen::AlignedBox2d& seen) const;
     // no point of the sphere is in the picture
     bool misses(const Vec3& centre, double radius) const;
