@@ -202,30 +202,55 @@ Power AltitudeBlend::add_all(In x, In v, double, Out f) const {
     return {dissipated, 0};
 }
 
-// Row i sums to W |g_i| sum_j |g_j| for the block W g g', g = grad s, plus W |s - 1| times the second
-// derivative of s, bounded by 2 / (D0 mean_8) per pair of corners: grad^2 D is 1 off the diagonal for unit
-// normals.
+// With m the 8-mean of the edges' stretch, s = (D / D0) / m, d = grad D / (D0 m), r = grad ln m and
+// T = W (s - 1), the Hessian is W g g' + T hess s, and
+//   hess s = hess D / (D0 m) - d r' - r d' + s r r' - s hess ln m
+//   hess ln m = sum p_i (1/2 hess q_i / q_i + 3/2 grad q_i grad q_i' / q_i^2) - 8 r r',  p_i = q_i^4 / sum
+//   q^4
+// hess D has blocks (e_i . e_j) / D n n' and, off the diagonal, a quarter turn in the plane, of norm 1. Row k
+// sums the norms of its blocks; parts that are negative for the sign of T buckle and do not vibrate.
 void AltitudeBlend::add_bound(In x, StepBound& bound) const {
     const Columns t = columns_of(corner_, inverse_squared_edge_, inverse_double_area_, weight_, damping_);
-    Corners p, g;
-    double s[block];
-    const int triangles = static_cast<int>(weight_.size());
-    for (int from = 0; from < triangles; from += block) {
-        const int count = std::min(block, triangles - from);
-        p.fetch(t, x.data(), from, count);
-        shape_gradient(t, p, from, count, g, s);
-        for (int i = 0; i < count; ++i) {
-            double length[3], sum = 0;
-            for (int k = 0; k < 3; ++k) {
-                length[k] = Vec3(g.x[k][i], g.y[k][i], g.z[k][i]).norm();
-                sum += length[k];
+    for (int i = 0; i < static_cast<int>(weight_.size()); ++i) {
+        Corners p, g;
+        double s = 0;
+        p.fetch(t, x.data(), i, 1);
+        shape_gradient(t, p, i, 1, g, &s);
+        Vec3 edge[3];
+        double curl[3], sum = 0;  // p_k / L_k^2
+        for (int k = 0; k < 3; ++k) {
+            edge[k] = x.col(t.corner[(k + 2) % 3][i]) - x.col(t.corner[(k + 1) % 3][i]);
+            const double q = edge[k].squaredNorm() * t.inverse_squared_edge[k][i];
+            curl[k] = std::pow(q, 3) * t.inverse_squared_edge[k][i];
+            sum += std::pow(q, 4);
+        }
+        if (sum == 0) continue;  // a point
+        const double doubled_area = edge[0].cross(edge[1]).norm();
+        const double area_scale = t.inverse_double_area[i] / std::pow(sum / 3, 0.125);  // 1 / (D0 m)
+        const double tension = t.weight[i] * (s - 1);
+        double slope_g[3], slope_d[3], slope_r[3], sum_g = 0, sum_d = 0, sum_r = 0;
+        for (double& c : curl) c /= sum;
+        for (int k = 0; k < 3; ++k) {
+            const int next = (k + 1) % 3, last = (k + 2) % 3;
+            const Vec3 gradient(g.x[k][0], g.y[k][0], g.z[k][0]);
+            const Vec3 r = curl[next] * edge[next] - curl[last] * edge[last];
+            sum_g += slope_g[k] = gradient.norm();
+            sum_d += slope_d[k] = (gradient + s * r).norm();
+            sum_r += slope_r[k] = r.norm();
+        }
+        for (int k = 0; k < 3; ++k) {
+            double row = slope_d[k] * sum_r + slope_r[k] * sum_d;
+            if (tension > 0) {
+                row += 9 * s * slope_r[k] * sum_r;
+                for (int j = 0; j < 3; ++j)
+                    row += area_scale *
+                           std::max(j == k ? 0.0 : 1.0, std::abs(edge[k].dot(edge[j])) / doubled_area);
+            } else {
+                row += 2 * area_scale + 14 * s * (curl[(k + 1) % 3] + curl[(k + 2) % 3]);
             }
-            const double bend = 4 * t.weight[from + i] * std::abs(s[i] - 1) * t.inverse_double_area[from + i];
-            for (int k = 0; k < 3; ++k) {
-                const int vertex = t.corner[k][from + i];
-                bound.stiffness[vertex] += t.weight[from + i] * length[k] * sum + bend;
-                bound.damping[vertex] += t.damping[from + i] * length[k] * sum;
-            }
+            const int vertex = t.corner[k][i];
+            bound.stiffness[vertex] += t.weight[i] * slope_g[k] * sum_g + std::abs(tension) * row;
+            bound.damping[vertex] += t.damping[i] * slope_g[k] * sum_g;
         }
     }
 }

@@ -1,6 +1,8 @@
 #include "force/altitude_spring.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "force/altitude_blend.h"
 #include "force/kinds.h"
@@ -8,13 +10,15 @@
 namespace drape {
 
 std::optional<Altitude> altitude_of(const Vec3& x1, const Vec3& x2, const Vec3& x3) {
-    const Vec3 edge = x2 - x1;
+    const Vec3 edge = x2 - x1, arm = x3 - x1;
     const double squared = edge.squaredNorm();
     if (squared == 0) return std::nullopt;
-    const double foot = (x3 - x1).dot(edge) / squared;
-    const Vec3 rise = x3 - (x1 + foot * edge);
+    const double foot = arm.dot(edge) / squared;
+    const Vec3 rise = arm - foot * edge;
     const double height = rise.norm();
-    if (height == 0) return std::nullopt;
+    // a height of round-off size points anywhere, along the edge too
+    constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();
+    if (height <= round_off * arm.norm()) return std::nullopt;
     return Altitude{foot, height, rise / height};
 }
 
@@ -68,6 +72,13 @@ AltitudeSprings::Pull AltitudeSprings::pull_of(In x, Eigen::Index triangle, int 
     return pull;
 }
 
+// h0/h of each corner, but for a common factor: edge lengths over their rest lengths
+Eigen::Vector3d AltitudeSprings::compression_of(In x, Eigen::Index triangle) const {
+    const Vec3 a = x.col(faces_(0, triangle)), b = x.col(faces_(1, triangle)), c = x.col(faces_(2, triangle));
+    const Eigen::Vector3d length((c - b).norm(), (a - c).norm(), (b - a).norm());
+    return length.cwiseProduct(rest_[static_cast<size_t>(triangle)].rest_height);
+}
+
 template <class Visit>
 void AltitudeSprings::each(In x, Visit visit) const {
     for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
@@ -76,11 +87,8 @@ void AltitudeSprings::each(In x, Visit visit) const {
             for (int k = 0; k < 3; ++k) visit(pull_of(x, t, k, rest.weight[k], 0));
             continue;
         }
-        // the least h/h0 is the largest edge length over its rest length; ties go to the first corner
-        const Vec3 a = x.col(faces_(0, t)), b = x.col(faces_(1, t)), c = x.col(faces_(2, t));
-        const Eigen::Vector3d length((c - b).norm(), (a - c).norm(), (b - a).norm());
         int corner = 0;
-        length.cwiseProduct(rest.rest_height).maxCoeff(&corner);
+        compression_of(x, t).maxCoeff(&corner);  // ties go to the first corner
         visit(pull_of(x, t, corner, rest.common_weight, slack_));
     }
 }
@@ -118,28 +126,63 @@ Power AltitudeSprings::add_all(In x, In v, double, Out f) const {
     return {dissipated, 0};
 }
 
-// The spring's block is d2E/dh2 w w' n n' plus a geometric part of norm |tension| |w|^2 / h at most, with
-// w = (-(1-a), -a, 1): row i sums to (stiffness + |tension| / h) |w_i| sum_j |w_j|. A flat triangle would
-// make the geometric part unbounded; its pull is transverse and slack there, so h is taken no smaller than h0
-// / 10.
-void AltitudeSprings::add_bound(In x, StepBound& bound) const {
-    each(x, [&](const Pull& p) {
-        if (p.stiffness == 0) return;
-        const double a = p.altitude.foot;
-        const Eigen::Vector3d w(std::abs(1 - a), std::abs(a), 1);
-        const double least = std::max(p.altitude.height, 0.1 * std::abs(p.tension) / p.stiffness);
-        const double stiffness = p.stiffness + std::max(0.0, p.tension) / least;
-        const int vertex[] = {p.x1, p.x2, p.x3};
-        for (int i = 0; i < 3; ++i) {
-            bound.stiffness[vertex[i]] += stiffness * w[i] * w.sum();
-            bound.damping[vertex[i]] += p.damping * w[i] * w.sum();
+// With T = dE/dh, w = (-(1-a), -a, 1), q = (-1, 1, 0), t along the edge and b across the triangle's plane,
+// the Hessian is, block by block,
+//   (k/h0 w w' - T h/L^2 q q') nn' - T/L (q w' nt' + w q' tn') + T/h w w' bb'
+// A positive semidefinite bound of each block's norm, summed along its row, bounds the spring; the parts that
+// are negative (bb' when compressed, qq' when stretched) buckle and do not vibrate. An edge that has shrunk
+// to less than h0 / 10 counts as that long, or a triangle collapsing to a point would ask for steps of zero.
+Eigen::Vector3d AltitudeSprings::row_sums(In x, const Pull& p) {
+    const double a = p.altitude.foot, tension = std::abs(p.tension);
+    const double slack_height = p.altitude.height - p.tension / p.stiffness;
+    const double length = std::max((x.col(p.x2) - x.col(p.x1)).norm(), 0.1 * slack_height);
+    const double w[] = {std::abs(1 - a), std::abs(a), 1}, q[] = {1, 1, 0};
+    const double turning = p.tension < 0 ? tension * p.altitude.height / (length * length) : 0;
+    const double hanging = p.tension > 0 ? tension / p.altitude.height : 0;
+    Eigen::Vector3d rows = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const double in_plane = p.stiffness * w[i] * w[j] + turning * q[i] * q[j] +
+                                    tension / length * std::max(q[i] * w[j], w[i] * q[j]);
+            rows[i] += std::max(in_plane, hanging * w[i] * w[j]);
         }
-    });
+    }
+    return rows;
+}
+
+void AltitudeSprings::add_bound(In x, StepBound& bound) const {
+    const bool all = mode_ == AltitudeMode::all;
+    for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
+        const TriangleAltitudes& rest = rest_[static_cast<size_t>(t)];
+        const Eigen::Vector3d compression = compression_of(x, t);
+        Eigen::Vector3d stiffness = Eigen::Vector3d::Zero(), damping = stiffness;  // by corner
+        for (int k = 0; k < 3; ++k) {
+            // where one altitude is chosen, those that a small change would choose count too: at rest, all
+            // three
+            if (!all && compression[k] < 0.95 * compression.maxCoeff()) continue;
+            const Pull p = pull_of(x, t, k, all ? rest.weight[k] : rest.common_weight, slack_);
+            if (p.stiffness == 0) continue;
+            const double a = p.altitude.foot;
+            const Eigen::Vector3d rows = row_sums(x, p), w(std::abs(1 - a), std::abs(a), 1);
+            for (int i = 0; i < 3; ++i) {
+                const int corner = (k + 1 + i) % 3;  // x1, x2, x3
+                const double damping_row = p.damping * w[i] * w.sum();
+                stiffness[corner] = all ? stiffness[corner] + rows[i] : std::max(stiffness[corner], rows[i]);
+                damping[corner] =
+                    all ? damping[corner] + damping_row : std::max(damping[corner], damping_row);
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
+            bound.stiffness[faces_(k, t)] += stiffness[k];
+            bound.damping[faces_(k, t)] += damping[k];
+        }
+    }
 }
 
 int AltitudeSprings::feet_outside(In x) const {
     int outside = 0;
-    each(x, [&](const Pull& p) { outside += p.altitude.foot < 0 || p.altitude.foot > 1; });
+    each(x,
+         [&](const Pull& p) { outside += p.stiffness > 0 && (p.altitude.foot < 0 || p.altitude.foot > 1); });
     return outside;
 }
 

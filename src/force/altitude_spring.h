@@ -59,6 +59,8 @@ private:
     template <class Visit>
     void each(In x, Visit visit) const;
     Pull pull_of(In x, Eigen::Index triangle, int corner, double weight, double slack) const;
+    Eigen::Vector3d compression_of(In x, Eigen::Index triangle) const;
+    static Eigen::Vector3d row_sums(In x, const Pull& pull);  // of its stiffness, for x1, x2, x3 [N/m]
 
     Faces faces_;
     std::vector<TriangleAltitudes> rest_;

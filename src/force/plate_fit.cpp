@@ -1,6 +1,7 @@
 #include "force/plate_fit.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Dense>
 
@@ -87,29 +88,39 @@ private:
 };
 
 // Least squares for g ~ c0 + c1 u + c2 v + c3 u^2/2 + c4 uv + c5 v^2/2; coordinates scaled to size 1.
+// Constant and linear functions are taken out first, so that whatever the points cannot tell, moving and
+// tilting never looks like curvature; of the curvatures that fit equally well the one of least norm is taken.
 bool fit(const std::vector<Placed>& points, bool accept_incomplete, CurvatureStencil& stencil) {
     const auto count = static_cast<Eigen::Index>(points.size());
     if (count < 6 && !accept_incomplete) return false;
     double size = 0;
     for (const Placed& p : points) size = std::max(size, p.at.norm());
-    Eigen::MatrixXd basis(count, 6);
+    // uv over sqrt 2: c3^2 + 2 c4^2 + c5^2 is the norm that does not depend on the axes
+    Eigen::MatrixXd linear(count, 3), quadratic(count, 3);
     for (Eigen::Index i = 0; i < count; ++i) {
         const Eigen::Vector2d s = points[static_cast<size_t>(i)].at / size;
-        basis.row(i) << 1, s.x(), s.y(), s.x() * s.x() / 2, s.x() * s.y(), s.y() * s.y() / 2;
+        linear.row(i) << 1, s.x(), s.y();
+        quadratic.row(i) << s.x() * s.x() / 2, s.x() * s.y() / std::numbers::sqrt2, s.y() * s.y() / 2;
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(basis, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd& values = svd.singularValues();
+    Eigen::MatrixXd basis(count, 6);
+    basis << linear, quadratic;
+    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(basis).singularValues();
     const Eigen::Index full = std::min<Eigen::Index>(count, 6);
     stencil.condition = values[full - 1] > 0 ? values[0] / values[full - 1] : INFINITY;
     stencil.complete = full == 6 && stencil.condition <= worst_condition;
     if (!stencil.complete && !accept_incomplete) return false;
 
+    const Eigen::MatrixXd flat = linear.householderQr().householderQ() * Eigen::MatrixXd::Identity(count, 3);
+    const Eigen::MatrixXd curved = quadratic - flat * (flat.transpose() * quadratic);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(curved, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const Eigen::VectorXd& seen = svd.singularValues();
     // the pseudo-inverse, without the directions that the points cannot tell
-    Eigen::VectorXd inverse = Eigen::VectorXd::Zero(values.size());
-    for (Eigen::Index k = 0; k < values.size(); ++k)
-        if (values[k] * worst_condition >= values[0]) inverse[k] = 1 / values[k];
+    Eigen::VectorXd inverse = Eigen::VectorXd::Zero(seen.size());
+    for (Eigen::Index k = 0; k < seen.size(); ++k)
+        if (seen[k] * worst_condition >= values[0]) inverse[k] = 1 / seen[k];
     const Eigen::MatrixXd solve = svd.matrixV() * inverse.asDiagonal() * svd.matrixU().transpose();
-    stencil.weight = solve.bottomRows<3>() / (size * size);
+    stencil.weight = (solve - solve * flat * flat.transpose()) / (size * size);
+    stencil.weight.row(1) /= std::numbers::sqrt2;
     stencil.vertex.clear();
     for (const Placed& p : points) stencil.vertex.push_back(p.vertex);
     return true;
