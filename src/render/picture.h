@@ -1,19 +1,17 @@
 // What the renderer is told: surfaces, colours, a camera. It knows nothing of simulation.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/colour.h"
 #include "base/image.h"
 #include "base/points.h"
 #include "base/rigid_motion.h"
 #include "mesh/mesh.h"
 
 namespace drape {
-
-using Colour = std::array<float, 3>;  // sRGB, 0..1
 
 struct Camera {
     Vec3 from{2, 1.5, 2}, at{0, 0, 0};

@@ -44,6 +44,24 @@ DrawnMesh split_drawn(const DrawnMesh& drawn, const Eigen::Matrix3Xi& middle_ver
     return fine;
 }
 
+// For each border vertex that is no corner, its two neighbours along the border.
+std::map<int, std::array<int, 2>> border_neighbours(const Topology& topology, const Points& rest) {
+    std::map<int, std::vector<int>> beside;
+    for (const Edge& edge : topology.edges) {
+        if (edge.face_count != 1) continue;
+        beside[edge.vertex[0]].push_back(edge.vertex[1]);
+        beside[edge.vertex[1]].push_back(edge.vertex[0]);
+    }
+    constexpr double corner_cosine = 0.77;  // borders that turn by more than 40 degrees are corners
+    std::map<int, std::array<int, 2>> smooth;
+    for (const auto& [v, others] : beside) {
+        if (others.size() != 2) continue;
+        const Vec3 in = rest.col(v) - rest.col(others[0]), out = rest.col(others[1]) - rest.col(v);
+        if (in.normalized().dot(out.normalized()) > corner_cosine) smooth[v] = {others[0], others[1]};
+    }
+    return smooth;
+}
+
 }  // namespace
 
 int smoothing_levels(int triangles) {
@@ -63,12 +81,22 @@ void SmoothSurface::refine() {
     const Topology topology = build_topology(coarse, old_vertices);
     const auto edge_count = static_cast<int>(topology.edges.size());
 
-    std::vector<std::array<int, 2>> middles;
+    const auto neighbours = border_neighbours(topology, rest_);
+    const auto beyond = [&](int vertex, int other) {
+        const auto found = neighbours.find(vertex);
+        if (found == neighbours.end()) return -1;
+        return found->second[0] == other ? found->second[1] : found->second[0];
+    };
+    std::vector<Middle> middles;
     std::map<std::array<int, 2>, int> middle_of;
     rest_.conservativeResize(3, old_vertices + edge_count);
     for (int e = 0; e < edge_count; ++e) {
-        const auto& ends = topology.edges[static_cast<size_t>(e)].vertex;
-        middles.push_back(ends);
+        const Edge& edge = topology.edges[static_cast<size_t>(e)];
+        const auto& ends = edge.vertex;
+        Middle middle{ends[0], ends[1]};
+        if (edge.face_count == 1)
+            middle = {ends[0], ends[1], true, beyond(ends[0], ends[1]), beyond(ends[1], ends[0])};
+        middles.push_back(middle);
         middle_of[ends] = old_vertices + e;
         rest_.col(old_vertices + e) = 0.5 * (rest_.col(ends[0]) + rest_.col(ends[1]));
     }
@@ -97,10 +125,17 @@ Points SmoothSurface::positions(In simulated) const {
         const Eigen::Index old_vertices = x.cols();
         x.conservativeResize(3, old_vertices + static_cast<Eigen::Index>(middles_[level].size()));
         Eigen::Index next = old_vertices;
-        for (const auto& [a, b] : middles_[level]) {
-            const Vec3 d = x.col(b) - x.col(a);
-            const Vec3 bend = d.dot(normals.col(b)) * normals.col(b) - d.dot(normals.col(a)) * normals.col(a);
-            x.col(next++) = 0.5 * (x.col(a) + x.col(b)) + bend / 8;
+        for (const Middle& middle : middles_[level]) {
+            const auto a = x.col(middle.a), b = x.col(middle.b);
+            const Vec3 d = b - a;
+            Vec3 leaves = d, arrives = d;  // tangents at a and b
+            if (!middle.border) {
+                leaves -= d.dot(normals.col(middle.a)) * normals.col(middle.a);
+                arrives -= d.dot(normals.col(middle.b)) * normals.col(middle.b);
+            }
+            if (middle.before >= 0) leaves = 0.5 * (b - x.col(middle.before));
+            if (middle.after >= 0) arrives = 0.5 * (x.col(middle.after) - a);
+            x.col(next++) = 0.5 * (a + b) + (leaves - arrives) / 8;
         }
     }
     return x;
@@ -111,7 +146,7 @@ Eigen::VectorXf SmoothSurface::spread(const Eigen::VectorXf& simulated) const {
     for (const auto& middles : middles_) {
         Eigen::Index next = value.size();
         value.conservativeResize(next + static_cast<Eigen::Index>(middles.size()));
-        for (const auto& [a, b] : middles) value[next++] = 0.5f * (value[a] + value[b]);
+        for (const Middle& middle : middles) value[next++] = 0.5f * (value[middle.a] + value[middle.b]);
     }
     return value;
 }

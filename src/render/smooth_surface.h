@@ -6,6 +6,8 @@
 // vertices stay where contact left them and their chords swell outwards over an obstacle, where an
 // approximating scheme such as Loop's would shrink into it. It reaches no farther than an edge, so odd
 // valences make no ripples.
+// A border edge follows the curve of the border instead: tangents (b - before)/2 and (after - a)/2 in the
+// same cubic, straight into corners.
 #pragma once
 
 #include <array>
@@ -32,10 +34,17 @@ public:
     Eigen::VectorXf spread(const Eigen::VectorXf& simulated) const;
 
 private:
+    // A new vertex in the middle of edge a-b.
+    struct Middle {
+        int a, b;
+        bool border = false;
+        int before = -1, after = -1;  // on a border: its vertices beside a and b, -1 past a corner
+    };
+
     void refine();
 
-    std::vector<Faces> faces_;                              // per level, the coarsest first
-    std::vector<std::vector<std::array<int, 2>>> middles_;  // per level: the edge under each new vertex
+    std::vector<Faces> faces_;                  // per level, the coarsest first
+    std::vector<std::vector<Middle>> middles_;  // per level
     DrawnMesh drawn_;
     Points rest_;
     std::vector<std::array<int, 2>> simulated_edges_;

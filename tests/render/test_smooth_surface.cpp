@@ -59,3 +59,20 @@ TEST_CASE("a value per simulated vertex spreads linearly", "[render]") {
     const Eigen::VectorXf x = mesh.rest.row(0).cast<float>();
     CHECK((surface.spread(x) - Eigen::VectorXf(surface.rest().row(0).cast<float>())).norm() < 1e-5f);
 }
+
+TEST_CASE("a round border stays round, a square one keeps its corners", "[render]") {
+    Mesh mesh = make_pattern("alternating", {1, 1, 6, 6});
+    const bool round = GENERATE(true, false);
+    for (int v = 0; round && v < mesh.vertices(); ++v) {  // the square blown up into a disc
+        const double x = mesh.rest(0, v), z = mesh.rest(2, v), length = std::hypot(x, z);
+        if (length > 0) mesh.rest.col(v) *= std::max(std::abs(x), std::abs(z)) / length;
+    }
+    const SmoothSurface surface(mesh, mesh.drawn, 2);
+    const Points x = surface.positions(mesh.rest);
+    const Eigen::VectorXf border = border_distance(surface.rest(), surface.faces());
+    for (int v = 0; v < x.cols(); ++v) {
+        if (border[v] > 1e-6f) continue;
+        if (round) CHECK(x.col(v).norm() == Approx(0.5).epsilon(0.004));  // chords alone: 0.017
+        if (!round) CHECK(x.col(v).cwiseAbs().maxCoeff() == Approx(0.5));
+    }
+}
