@@ -46,8 +46,9 @@ void push(const ContactPoint& point, const Vec3& force, double* f) {
 }  // namespace
 
 void ContactLimits::include(const ContactLimits& other) {
-    omega_squared = std::max(omega_squared, other.omega_squared);
-    gamma = std::max(gamma, other.gamma);
+    // modes of a sum are at most as fast as the fastest of each together: a vertex may touch both
+    omega_squared += other.omega_squared;
+    gamma += other.gamma;
     closing_rate = std::max(closing_rate, other.closing_rate);
 }
 
@@ -55,6 +56,8 @@ ObstacleContact::ObstacleContact(const Model& model, const Cloth& cloth, const O
                                  const Vec3& gravity, double expected_speed)
     : obstacle_(obstacle),
       faces_(cloth.mesh.faces.array() + cloth.first),
+      inverse_mass_(model.inverse_mass),
+      rows_(2, model.vertices()),
       area_density_(cloth.mass.sum() / cloth.area.sum()) {
     barrier_.thickness = std::max(cloth.fabric.thickness, mean_edge(cloth) / 4);
     // as many points as keep the dip between them within half the thickness
@@ -70,6 +73,9 @@ ObstacleContact::ObstacleContact(const Model& model, const Cloth& cloth, const O
     const double impact = area_density_ * expected_speed * expected_speed / 2 / barrier_.thickness;
     barrier_.strength =
         std::max({20 * weight, 2 * impact, stretch_stiffness_per_area(cloth) * barrier_.thickness / 60});
+    // (1 - u)^2 / u = q
+    const double q = barrier_.strength > 0 ? weight / barrier_.strength : 0;
+    resting_gap_ = barrier_.thickness * (1 + q / 2 - std::sqrt(q + q * q / 4));
 }
 
 SurfaceSample ObstacleContact::sample(const Pose& pose, const Vec3& p) const {
@@ -133,15 +139,30 @@ ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f)
         const double damping = 2 * damping_ratio * std::sqrt(area_density_ * stiffness);
         const double total = std::max(pressure - damping * opening, 0.0);
         push(point, point.area * total * s.normal, f.data());
-        touches_.push_back({&point, s.normal, surface_velocity, point.area * total});
+        touches_.push_back({&point, s.normal, surface_velocity, point.area * total, point.area * stiffness,
+                            point.area * damping});
         result.dissipated += point.area * (pressure - total) * opening;
         result.driven += point.area * total * s.normal.dot(surface_velocity);
-        const double mobility = point.area * point.inverse_mass;
-        result.limits.omega_squared = std::max(result.limits.omega_squared, stiffness * mobility);
-        result.limits.gamma = std::max(result.limits.gamma, damping * mobility);
     }
+    limit_modes(result.limits);
     result.contacts = static_cast<int>(touches_.size());
     return result;
+}
+
+void ObstacleContact::limit_modes(ContactLimits& limits) {
+    const auto each_corner = [&](auto visit) {
+        for (const Touch& touch : touches_)
+            for (int k = 0; k < touch.point->corners; ++k)
+                visit(touch, touch.point->weight[k], touch.point->vertex[k]);
+    };
+    each_corner([&](const Touch&, double, int v) { rows_.col(v).setZero(); });
+    each_corner([&](const Touch& touch, double weight, int v) {
+        rows_.col(v) += weight * Eigen::Vector2d(touch.stiffness, touch.damping);
+    });
+    each_corner([&](const Touch&, double, int v) {
+        limits.omega_squared = std::max(limits.omega_squared, rows_(0, v) * inverse_mass_[v]);
+        limits.gamma = std::max(limits.gamma, rows_(1, v) * inverse_mass_[v]);
+    });
 }
 
 ContactWork ObstacleContact::rub(Points& v, const Model& model, double h) const {
@@ -186,26 +207,32 @@ double ObstacleContact::least_distance(In x, double time) const {
 
 double ObstacleContact::lift_out(Points& x, const Model& model, double most) const {
     const Pose pose = obstacle_.motion.at(0).pose;
-    const double wanted = offset_ + barrier_.thickness / 2;
-    double largest = 0;
+    const double wanted = offset_ + resting_gap_;
+    const Points start = x;
+    Points move(3, x.cols());
+    Eigen::VectorXd length(x.cols());
     for (int round = 0; round < 50; ++round) {
-        bool moved = false;
+        // each vertex goes as far as the deepest of its points asks, all at once: a flat sheet stays flat
+        move.setZero();
+        length.setZero();
         for (const ContactPoint& point : points_) {
             const SurfaceSample s = sample(pose, position(point, x.data()));
             if (s.distance < -most)
                 throw Error(cat("cloth starts ", -s.distance, " m inside the ", obstacle_.kind,
                                 " (move one of them: at most ", most, " m is put right)"));
-            if (s.distance - offset_ > 0.01 * barrier_.thickness) continue;
+            const double missing = wanted - s.distance;
+            if (missing < 1e-6 * barrier_.thickness) continue;
             for (int k = 0; k < point.corners; ++k) {
-                if (model.inverse_mass[point.vertex[k]] == 0) continue;
-                x.col(point.vertex[k]) += (wanted - s.distance) * s.normal;
-                moved = true;
+                const int v = point.vertex[k];
+                if (model.inverse_mass[v] == 0 || missing <= length[v]) continue;
+                length[v] = missing;
+                move.col(v) = missing * s.normal;
             }
-            largest = std::max(largest, wanted - s.distance);
         }
-        if (!moved) return largest;
+        if (length.maxCoeff() == 0) break;
+        x += move;
     }
-    return largest;
+    return std::sqrt((x - start).colwise().squaredNorm().maxCoeff());
 }
 
 }  // namespace drape

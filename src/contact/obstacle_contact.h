@@ -24,11 +24,11 @@ struct ContactWork {
 
 // What contact asks of the next step.
 struct ContactLimits {
-    double omega_squared = 0;  // largest stiffness over mass of a point in contact [1/s^2]
+    double omega_squared = 0;  // largest row sum of stiffness over mass of a vertex in contact [1/s^2]
     double gamma = 0;          // the same of damping [1/s]
     double closing_rate = 0;   // largest closing speed over the way that one step may go [1/s]
 
-    void include(const ContactLimits& other);
+    void include(const ContactLimits& other);  // of another obstacle or cloth
 };
 
 class ObstacleContact {
@@ -58,8 +58,9 @@ public:
     // The least distance of any point of any triangle, on a lattice finer than the contact points' [m].
     double least_distance(In x, double time) const;
 
-    // Moves vertices that start nearer than the offset, or in the obstacle by no more than `most`, out of it.
-    // Returns the largest move [m]; throws Error where the cloth starts deeper inside.
+    // Moves vertices that start nearer than they would rest, or in the obstacle by no more than `most`, out
+    // to where the barrier carries the cloth's weight, so that it does not throw them. Returns the largest
+    // move [m]; throws Error where the cloth starts deeper inside.
     double lift_out(Points& x, const Model& model, double most) const;
 
     const Barrier& barrier() const { return barrier_; }
@@ -71,8 +72,11 @@ private:
     struct Touch {  // a point in contact: what friction needs to know
         const ContactPoint* point;
         Vec3 normal, surface_velocity;
-        double normal_force;  // [N]
+        double normal_force;        // [N]
+        double stiffness, damping;  // [N/m], [N s/m]
     };
+    // Gershgorin: each vertex's row sums over all its points in contact
+    void limit_modes(ContactLimits& limits);
     SurfaceSample sample(const Pose& pose, const Vec3& p) const;
 
     Obstacle obstacle_;
@@ -80,10 +84,13 @@ private:
     std::vector<ContactPoint> points_;
     std::vector<int> near_;  // points within reach since the last gather
     std::vector<Touch> touches_;
+    Eigen::VectorXd inverse_mass_;  // per column of the State [1/kg]
+    Eigen::Matrix2Xd rows_;         // of stiffness and damping, scratch of limit_modes
     Barrier barrier_;
     double offset_ = 0;  // [m]
     int level_ = 1;
     double area_density_ = 0;  // of the cloth [kg/m^2]
+    double resting_gap_ = 0;   // where the barrier carries the weight [m]
     double spacing_ = 0;       // between contact points at most [m]
 };
 

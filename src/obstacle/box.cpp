@@ -32,7 +32,8 @@ public:
         return {distance - rounding_, rotation_ * outward};
     }
     double sagitta(double spacing) const override {
-        return std::min(edge_sagitta(rounding_, spacing), half_.minCoeff());
+        // s / (2 sqrt 2) across an edge, s sqrt 2 / 3 across a corner, s / 2 through a slab
+        return std::min(edge_sagitta(spacing / 2, rounding_, spacing), half_.minCoeff());
     }
     Vec3 centre() const override { return centre_; }
     double reach() const override { return half_.norm(); }

@@ -21,7 +21,7 @@ public:
         const double s = std::clamp(from_a.dot(ab_) * inverse_squared_, 0.0, 1.0);
         const Vec3 offset = from_a - s * ab_;
         const double length = offset.norm();
-        if (length == 0) return {-radius_, ab_.unitOrthogonal()};
+        if (length <= round_off * radius_) return {-radius_, ab_.unitOrthogonal()};
         return {length - radius_, offset / length};
     }
     double sagitta(double spacing) const override { return round_sagitta(radius_, spacing); }

@@ -21,7 +21,7 @@ public:
         const double height = offset.dot(axis_);
         const Vec3 across = offset - height * axis_;
         const double radius = across.norm();
-        const Vec3 radial = radius > 0 ? Vec3(across / radius) : axis_.unitOrthogonal();
+        const Vec3 radial = radius > round_off * radius_ ? Vec3(across / radius) : axis_.unitOrthogonal();
         const Vec3 axial = height < 0 ? Vec3(-axis_) : axis_;
         const double q = radius - (radius_ - rounding_), h = std::abs(height) - (half_ - rounding_);
         if (q > 0 && h > 0) {
@@ -31,8 +31,10 @@ public:
         return q > h ? SurfaceSample{q - rounding_, radial} : SurfaceSample{h - rounding_, axial};
     }
     double sagitta(double spacing) const override {
-        return std::min(std::max(round_sagitta(radius_, spacing), edge_sagitta(rounding_, spacing)),
-                        std::min(radius_, half_));
+        // across a rim, where the bent side's own dip comes on top; or right through a disc
+        const double rim = spacing / (2 * std::numbers::sqrt2) + round_sagitta(radius_, spacing);
+        const double sharp = spacing < 2 * half_ ? rim : std::max(rim, half_);
+        return std::min({edge_sagitta(sharp, rounding_, spacing), radius_, half_});
     }
     Vec3 centre() const override { return centre_; }
     double reach() const override { return std::hypot(radius_, half_); }

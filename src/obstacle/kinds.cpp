@@ -23,10 +23,10 @@ double round_sagitta(double radius, double spacing) {
     return a < radius ? radius - std::sqrt(radius * radius - a * a) : radius;
 }
 
-double edge_sagitta(double rounding, double spacing) {
-    const double sharp = spacing / (2 * std::numbers::sqrt2);
+double edge_sagitta(double sharp, double rounding, double spacing) {
+    const double cut = sharp + (1 - std::numbers::inv_sqrt3) * rounding;
     const bool within_the_round = spacing < std::numbers::sqrt3 * rounding;
-    return within_the_round ? std::min(sharp, round_sagitta(rounding, spacing)) : sharp;
+    return within_the_round ? std::min(cut, round_sagitta(rounding, spacing)) : cut;
 }
 
 }  // namespace drape

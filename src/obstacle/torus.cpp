@@ -22,9 +22,9 @@ public:
         const double height = offset.dot(axis_);
         const Vec3 across = offset - height * axis_;
         const double radius = across.norm();
-        const Vec3 radial = radius > 0 ? Vec3(across / radius) : axis_.unitOrthogonal();
+        const Vec3 radial = radius > round_off * ring_ ? Vec3(across / radius) : axis_.unitOrthogonal();
         const double q = radius - ring_, length = std::hypot(q, height);
-        if (length == 0) return {-tube_, axis_};
+        if (length <= round_off * tube_) return {-tube_, axis_};
         return {length - tube_, (q * radial + height * axis_) / length};
     }
     double sagitta(double spacing) const override { return round_sagitta(tube_, spacing); }

@@ -1,0 +1,144 @@
+#include <catch2/catch.hpp>
+
+#include "support/touching.h"
+
+using namespace drape;
+using namespace drape::test;
+
+namespace {
+
+// The kinetic energy of friction's impulses of a time h, what was booked for it, and what it changed.
+struct Rubbed {
+    ContactWork work;
+    double gained = 0;
+    Points before;
+
+    Rubbed(Touching& t, double h) : before(t.v) {
+        Points f = Points::Zero(3, t.x.cols());
+        t.contact.add_all(t.x, t.v, t.time, f);
+        const double energy = t.kinetic_energy();
+        work = t.contact.rub(t.v, t.model, h);
+        gained = t.kinetic_energy() - energy;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("friction slows each vertex by mu N h / m against its sliding and never turns it round",
+          "[contact]") {
+    for (const double h : {1e-5, 1e-3, 1e-1}) {
+        Touching t(obstacle_of("plane", {}, 0.3), 6, 0.1);
+        Points f = Points::Zero(3, t.x.cols());
+        t.contact.add_all(t.x, t.v, t.time, f);
+        const Rubbed rubbed(t, h);
+        CAPTURE(h);
+        for (Eigen::Index i = 0; i < t.x.cols(); ++i) {
+            const Vec3 before = rubbed.before.col(i), after = t.v.col(i);
+            CHECK(after.y() == before.y());
+            const Vec3 slid(before.x(), 0, before.z()), slides(after.x(), 0, after.z());
+            const double slowed = std::min(0.3 * f(1, i) * h * t.model.inverse_mass[i], slid.norm());
+            CHECK((slides - (1 - slowed / slid.norm()) * slid).norm() < 1e-15);
+        }
+        CHECK(rubbed.work.dissipated == Approx(-rubbed.gained));
+        if (h == 0.1) CHECK(t.v.row(0).cwiseAbs().maxCoeff() < 1e-16);
+    }
+}
+
+TEST_CASE("friction's heat and the obstacle's work are what the cloth's kinetic energy changed by",
+          "[contact]") {
+    unsigned seed = 30;
+    int rubs = 0, all = 0;
+    for (const auto& [name, obstacle] : every_obstacle(0.5)) {
+        for (const double h : {1e-5, 1e-2}) {
+            Touching t(obstacle, ++seed);
+            CAPTURE(name, h);
+            const Rubbed rubbed(t, h);
+            CHECK(rubbed.work.dissipated >= 0);
+            CHECK(rubbed.gained ==
+                  Approx(rubbed.work.driven - rubbed.work.dissipated).margin(1e-14 * t.kinetic_energy()));
+            rubs += rubbed.work.dissipated > 0;
+            if (!obstacle.motion.moves()) CHECK(rubbed.work.driven == 0);
+            ++all;
+        }
+    }
+    CHECK(rubs > 0.8 * all);  // a few obstacles leave the cloth too fast to press on it
+}
+
+TEST_CASE("strong friction carries a cloth along with a moving plane", "[contact]") {
+    const RigidMotion slide({{0, Vec3(0, 0, 0)}, {1, Vec3(2, 0, 1)}});
+    Touching t(obstacle_of("plane", {}, 1e3, slide), 7, 0.1);
+    const Rubbed rubbed(t, 1);
+    const Vec3 plane = slide.at(t.time).linear;
+    for (Eigen::Index i = 0; i < t.x.cols(); ++i) {
+        CHECK(t.v(0, i) == Approx(plane.x()));
+        CHECK(t.v(2, i) == Approx(plane.z()));
+    }
+    CHECK(rubbed.work.driven > 0);
+}
+
+TEST_CASE("an obstacle without friction rubs nothing", "[contact]") {
+    Touching t(obstacle_of("plane", {}, 0), 8);
+    const Rubbed rubbed(t, 1);
+    CHECK(t.v == rubbed.before);
+    CHECK(rubbed.work.dissipated == 0);
+}
+
+namespace {
+
+// A sheet of cloth lying on a slope: its shift and its speed downhill after each frame.
+struct Slope {
+    double angle;
+    Vec3 downhill, normal;
+    Simulation simulation;
+
+    Slope(double slope, double friction)
+        : angle(std::atan(slope)),
+          downhill(std::cos(angle), -std::sin(angle), 0),
+          normal(std::sin(angle), std::cos(angle), 0),
+          simulation(setup(friction)) {}
+
+    Setup setup(double friction) const {
+        ShapeParameters plane;
+        plane.normal = normal;
+        const Obstacle obstacle = obstacle_of("plane", plane, friction);
+        Setup setup = setup_of(square(4, "alternating", 0.3), bare_springs(200), {obstacle}, 10, 20);
+        const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal).toRotationMatrix();
+        setup.start.x = turn * setup.start.x;  // on the surface: it starts where the barrier carries it
+        return setup;
+    }
+    double speed() const { return downhill.dot(simulation.state().v.rowwise().mean()); }
+};
+
+}  // namespace
+
+TEST_CASE("a cloth on a slope below its friction angle moves under 1 mm in 2 s", "[contact]") {
+    for (const double slope : {0.0, 0.2, 0.4, 0.49}) {
+        Slope s(slope, 0.5);
+        CAPTURE(slope);
+        const Points start = s.simulation.state().x;
+        for (int frame = 0; frame < 20; ++frame) {
+            REQUIRE(s.simulation.advance().trouble.empty());
+            const Points moved = s.simulation.state().x - start;
+            const double along =
+                (moved - s.normal * (s.normal.transpose() * moved)).colwise().norm().maxCoeff();
+            REQUIRE(along < 1e-3);  // measured: 1.5e-5 m
+        }
+        CHECK(std::abs(s.speed()) < 1e-6);
+    }
+}
+
+TEST_CASE("a cloth on a slope above its friction angle slides with g (sin - mu cos)", "[contact]") {
+    for (const double friction : {0.0, 0.3, 0.5}) {
+        for (const double beyond : {0.02, 0.3, 1.0}) {
+            Slope s(friction + beyond, friction);
+            CAPTURE(friction, beyond);
+            double at_one = 0;
+            for (int frame = 1; frame <= 20; ++frame) {
+                REQUIRE(s.simulation.advance().trouble.empty());
+                if (frame == 10) at_one = s.speed();
+            }
+            const double expected = 9.81 * (std::sin(s.angle) - friction * std::cos(s.angle));
+            CHECK(s.speed() - at_one == Approx(expected).epsilon(1e-6));  // measured: 2e-13
+        }
+    }
+}
