@@ -1,6 +1,6 @@
 // What ends a run early, and how it is said.
 //   bad input          throw Error; printed once, in main, as one line
-//   numbers gone wrong a returned value (simulate/outcome.h): the caller must keep the last good state
+//   numbers gone wrong FrameReport::trouble (simulate/simulation.h), with the last good state kept
 //   our own bug        DRAPE_ASSERT (assert.h)
 #pragma once
 

@@ -39,9 +39,13 @@ std::string unknown_name(std::string_view what, std::string_view word,
     std::string text = cat("unknown ", what, " \"", word, "\"");
     if (const std::string near = nearest_name(word, known); !near.empty())
         text += cat("; did you mean \"", near, "\"?");
-    text += " (known:";
-    for (size_t i = 0; i < known.size(); ++i) text += cat(i ? ", " : " ", known[i]);
-    return text + ")";
+    return cat(text, " (known: ", joined(known), ")");
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
 }
 
 }  // namespace drape

@@ -18,6 +18,9 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
 // "unknown obstacle "spere"; did you mean "sphere"? (known: plane, sphere)"
 std::string unknown_name(std::string_view what, std::string_view word, const std::vector<std::string>& known);
 
+// "one, two, three"
+std::string joined(const std::vector<std::string>& words);
+
 template <class Table>
 std::vector<std::string> names_of(const Table& table) {
     std::vector<std::string> names;

@@ -24,13 +24,22 @@ void Dynamics::to_acceleration(Points& f) const {
     }
 }
 
-void Dynamics::conservative_acceleration(In x, double time, Points& a) {
+void Dynamics::sum_conservative(In x, Points& f) {
     ++sweeps_;
-    a.setZero(3, x.cols());
+    f.setZero(3, x.cols());
     for (const ActiveForce& active : forces_) {
-        active.force->add_conservative(x, a);
+        active.force->add_conservative(x, f);
         ++active.calls;
     }
+}
+
+void Dynamics::acceleration_without_contact(In x, Points& a) {
+    sum_conservative(x, a);
+    to_acceleration(a);
+}
+
+void Dynamics::conservative_acceleration(In x, double time, Points& a) {
+    sum_conservative(x, a);
     if (contact_) {
         const CpuScope timer(contact_seconds_);
         contact_->add_conservative(x, time, a);

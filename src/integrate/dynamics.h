@@ -32,6 +32,9 @@ public:
     // a = conservative forces / m, gravity and contact's barrier included; 0 where pinned
     void conservative_acceleration(In x, double time, Points& a);
 
+    // the same without contact: what bound() bounds
+    void acceleration_without_contact(In x, Points& a);
+
     // a = all forces / m; keeps power, contact limits and friction's normal forces of this moment
     void acceleration(In x, In v, double time, Points& a);
 
@@ -59,6 +62,7 @@ public:
     double contact_seconds() const { return contact_seconds_; }  // CPU [s]
 
 private:
+    void sum_conservative(In x, Points& f);  // of all forces but contact
     void to_acceleration(Points& f) const;
 
     const Model& model_;

@@ -110,12 +110,6 @@ const std::string& as_word(const Value& value, std::string_view name, const std:
     return word;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 const std::vector<Value>& as_array(const Value& value, std::string_view name, int count) {
     if (count < 0) {
         if (value.kind != Value::Kind::array) fail_type(value, name, "an array");

@@ -47,9 +47,6 @@ const auto& as_kind(const Value& value, std::string_view name, const Table& tabl
     return find_named(table, name, as_word(value, name, names_of(table)));
 }
 
-// "one, two, three"
-std::string joined(const std::vector<std::string>& words);
-
 // "PLACE: MESSAGE"
 template <class... Parts>
 [[noreturn]] void fail(const Place& place, const Parts&... parts) {

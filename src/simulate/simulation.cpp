@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -19,16 +18,6 @@ constexpr int most_halvings = 30;        // of a step that crossed into an obsta
 
 std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
     return model.cloths.size() > 1 ? cat(stage, " (cloth ", cloth + 1, ")") : std::string(stage);
-}
-
-// Every free vertex moved, unlike its neighbours: something of every mode is in it.
-Points rough_mode(const Model& model) {
-    Points mode(3, model.vertices());
-    std::mt19937 random(1);
-    for (Eigen::Index i = 0; i < mode.cols(); ++i)
-        for (int c = 0; c < 3; ++c)
-            mode(c, i) = model.inverse_mass[i] > 0 ? double(random()) / double(std::mt19937::max()) - 0.5 : 0;
-    return mode;
 }
 
 }  // namespace
@@ -67,16 +56,17 @@ void Simulation::build() {
         }
     }
     const double duration = setup_.frames / setup_.frame_rate;
-    reach_ = travel_allowance(model, state_, setup_.world, duration);
+    const double reach = travel_allowance(model, state_, setup_.world, duration);
     std::vector<Obstacle> within_reach;
     if (setup_.obstacles.empty()) plan_.leave_out("contact", "no obstacle in the scene");
     for (size_t i = 0; i < setup_.obstacles.size(); ++i) {
         const Obstacle& obstacle = setup_.obstacles[i];
         const std::string stage = cat("contact with obstacle ", i + 1, " (", obstacle.kind, ")");
         const double gap = clearance(state_, obstacle);
-        if (gap > reach_) {
+        if (gap > reach) {
             plan_.leave_out(stage,
-                            cat("out of reach: ", gap, " m away, cloth travels at most ", reach_, " m"));
+                            cat("out of reach: ", gap, " m away, cloth travels at most ", reach, " m"));
+            left_out_gap_ = std::min(left_out_gap_, gap);
         } else {
             plan_.use(stage, "within reach of the cloth");
             within_reach.push_back(obstacle);
@@ -93,12 +83,7 @@ void Simulation::build() {
 void Simulation::choose_step() {
     spectrum_ = gershgorin_spectrum(*dynamics_, state_.x);
     guaranteed_ = method_->longest_step(spectrum_);
-    const bool first = fastest_mode_.size() == 0;
-    if (first) fastest_mode_ = rough_mode(setup_.model);
-    const double measured = measured_omega(*dynamics_, state_.x, state_.time, fastest_mode_, first ? 40 : 6);
-    fastest_mode_ += 1e-3 * std::sqrt(fastest_mode_.squaredNorm() / double(fastest_mode_.size())) *
-                     rough_mode(setup_.model);
-    spectrum_.omega = std::min(spectrum_.omega, measured_excess * measured);
+    spectrum_.omega = std::min(spectrum_.omega, measured_excess * measured_omega(*dynamics_, state_.x));
     longest_ = method_->longest_step(spectrum_);
     const double frame_time = 1 / setup_.frame_rate;
     const double wanted = setup_.step ? *setup_.step : margin * longest_;
@@ -116,7 +101,9 @@ double Simulation::guarded_step(double h, FrameReport& report) {
         integrator_->step(*dynamics_, state_, h);
         return h;
     }
-    contact->prepare(state_, h);
+    // for the longest step: a point too far to be listed would not have shortened it, whenever the list was
+    // made
+    contact->prepare(state_, step_);
     before_ = state_;
     const EnergyFlow flow = dynamics_->flow();
     for (int halving = 0; halving <= most_halvings; ++halving, h /= 2) {
@@ -124,7 +111,8 @@ double Simulation::guarded_step(double h, FrameReport& report) {
         const ObstacleContact::Result& touch = dynamics_->touch();
         if (!touch.crossed) {
             report.contacts = std::max(report.contacts, touch.contacts);
-            report.least_distance = std::min(report.least_distance, touch.least_distance);
+            if (touch.contacts > 0)
+                report.least_distance = std::min(report.least_distance, touch.least_distance);
             return h;
         }
         state_ = before_;
@@ -169,8 +157,8 @@ FrameReport Simulation::advance() {
     else if (!finite || !(state_.v.cwiseAbs().maxCoeff() < 1e9))
         report.trouble = cat("velocities left all bounds before t = ", end_time, " s with steps of ", step_,
                              " s (the longest stable one is ", longest_, " s)");
-    else if (left_out_by_reach_ && (state_.x - setup_.start.x).colwise().norm().maxCoeff() > reach_)
-        report.trouble = cat("cloth travelled farther than ", reach_, " m by t = ", end_time,
+    else if ((state_.x - setup_.start.x).colwise().norm().maxCoeff() > left_out_gap_)
+        report.trouble = cat("cloth travelled farther than ", left_out_gap_, " m by t = ", end_time,
                              " s, where an obstacle was left out of contact");
     if (!report.trouble.empty()) {
         state_ = good;

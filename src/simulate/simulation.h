@@ -1,6 +1,7 @@
 // Frames from steps: chooses the step, advances frame by frame, keeps the last good state, books energy.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,8 +33,8 @@ struct FrameReport {
     long steps = 0;
     double shortest_step = 0;  // [s]
     int contacts = 0;          // most at once
-    double least_distance =
-        0;                // from any obstacle over the frame's steps and at its end; infinite without [m]
+    // from any obstacle, over the steps in contact and at the frame's end; infinite without obstacles [m]
+    double least_distance = 0;
     double strain = 0;    // largest |l/l0 - 1|
     double fastest = 0;   // speed of any vertex at the frame [m/s]
     std::string hash;     // of the positions
@@ -73,7 +74,8 @@ public:
     Energies energies() const;
     const EnergyFlow& flow() const { return dynamics_->flow(); }
 
-    // Goes on from a frame reached earlier.
+    // Goes on from a frame reached earlier, with the same bits as a run that was never interrupted: whatever
+    // a frame does follows from its first state alone.
     void resume(int frame, const State& state, const EnergyFlow& flow);
 
 private:
@@ -90,10 +92,8 @@ private:
     std::string chosen_because_;
     std::unique_ptr<Integrator> integrator_;
     Spectrum spectrum_;
-    Points fastest_mode_;
     double step_ = 0, longest_ = 0, guaranteed_ = 0, lifted_ = 0;
-    double reach_ = 0;  // no vertex was taken to travel farther when obstacles were left out [m]
-    bool left_out_by_reach_ = false;
+    double left_out_gap_ = INFINITY;  // to the nearest obstacle that was left out as out of reach [m]
     int frame_ = 0;
 };
 

@@ -9,9 +9,9 @@ namespace drape {
 // Gershgorin: no mode is faster than sqrt(max_i rows_i / m_i), whatever the shape of the mode.
 Spectrum gershgorin_spectrum(const Dynamics& dynamics, In x);
 
-// The fastest mode by power iteration on the stiffness at the pose x, starting from `mode` and leaving the
-// last estimate there [1/s]. It approaches the true value from below.
-double measured_omega(Dynamics& dynamics, In x, double time, Points& mode, int iterations);
+// How fast the fastest mode is at the pose x without contact, by Lanczos iteration on the stiffness from a
+// fixed start [1/s]. It approaches the true value from below, and depends on nothing but the pose.
+double measured_omega(Dynamics& dynamics, In x);
 
 // The spectrum with contact's share added: eigenvalues of a sum are at most the sum of the largest.
 Spectrum with_contact(const Spectrum& spectrum, const ContactLimits& limits);

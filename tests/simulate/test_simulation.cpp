@@ -1,0 +1,111 @@
+#include "simulate/simulation.h"
+
+#include <catch2/catch.hpp>
+
+#include "support/setups.h"
+
+using namespace drape;
+using namespace drape::test;
+
+namespace {
+
+std::vector<Setup> every_setup() {
+    std::vector<Setup> setups;
+    setups.push_back(swatch(8, 200));
+    setups.push_back(flag());
+    setups.push_back(ball_drop());
+    return setups;
+}
+
+}  // namespace
+
+TEST_CASE("the same input gives the same bits", "[simulate]") {
+    for (const Setup& setup : every_setup()) {
+        Simulation one(setup), two(setup);
+        while (one.frame() < one.frames()) {
+            const FrameReport first = one.advance(), second = two.advance();
+            REQUIRE(first.trouble.empty());
+            CHECK(first.hash == second.hash);
+            CHECK(first.steps == second.steps);
+            CHECK(one.state().v == two.state().v);
+        }
+    }
+}
+
+TEST_CASE("frames come at their times, of equal steps no longer than allowed", "[simulate]") {
+    Simulation simulation(swatch(8, 200));
+    for (int frame = 1; frame <= 10; ++frame) {
+        const FrameReport report = simulation.advance();
+        CHECK(report.index == frame);
+        CHECK(simulation.frame() == frame);
+        CHECK(report.time == frame / 20.0);
+        CHECK(simulation.state().time == report.time);
+        CHECK(double(report.steps) * simulation.step() == Approx(1 / 20.0).epsilon(1e-12));
+        CHECK(report.shortest_step == Approx(simulation.step()).epsilon(1e-9));
+        CHECK(simulation.step() < simulation.longest_step());
+        CHECK(simulation.step() > 0.8 * simulation.longest_step());
+    }
+}
+
+TEST_CASE("a step that is asked for is shortened to divide the frame, never lengthened", "[simulate]") {
+    Setup setup = swatch(4, 200);
+    setup.method = "verlet";
+    for (const auto& [asked, steps] : {std::pair{0.001, 50}, {0.00099, 51}, {0.0011, 46}}) {
+        setup.step = asked;
+        Simulation simulation(setup);
+        CHECK(simulation.advance().steps == steps);
+        CHECK(simulation.step() == Approx(0.05 / steps));
+        CHECK(simulation.method().name == "verlet");
+    }
+}
+
+TEST_CASE("left to itself drape takes order four where energy is conserved, else one sweep a step",
+          "[simulate]") {
+    CHECK(Simulation(swatch(4, 200)).method().name == "takahashi_imada");
+    CHECK(Simulation(flag(4)).method().name == "verlet");
+    CHECK(Simulation(ball_drop(4)).method().name == "verlet");
+}
+
+TEST_CASE("pins that move along keyframes are where the keyframes say at every frame", "[simulate]") {
+    const RigidMotion motion = carry(0.05, 0.4, {0.3, 0.1, -0.2}, {0, 90, 10});
+    Setup setup = scene_of(square(6), full_fabric(), {0, 3, 6}, motion);
+    const Points start = setup.start.x;
+    Simulation simulation(std::move(setup));
+    while (simulation.frame() < simulation.frames()) {
+        REQUIRE(simulation.advance().trouble.empty());
+        const State& state = simulation.state();
+        const MovingPose pose = motion.at(state.time);
+        for (const int pin : {0, 3, 6}) {
+            CHECK((state.x.col(pin) - pose.pose * start.col(pin)).norm() < 1e-12);
+            CHECK((state.v.col(pin) - pose.velocity_at(state.x.col(pin))).norm() < 1e-11);
+        }
+    }
+}
+
+TEST_CASE("a step far beyond the stable limit ends in trouble, with the last good state kept", "[simulate]") {
+    for (const Method& method : methods()) {
+        for (Setup setup : {swatch(8, 200), flag()}) {
+            setup.method = method.name;
+            setup.step = 10 * Simulation(setup).longest_step();
+            setup.frames = 1000;
+            Simulation simulation(std::move(setup));
+            State before = simulation.state();
+            EnergyFlow flow = simulation.flow();
+            FrameReport report = simulation.advance();
+            while (report.trouble.empty() && simulation.frame() < 1000) {
+                before = simulation.state();
+                flow = simulation.flow();
+                report = simulation.advance();
+            }
+            CAPTURE(method.name, report.trouble);
+            REQUIRE(report.trouble.starts_with("velocities left all bounds"));
+            CHECK(report.index == simulation.frame() + 1);
+            CHECK(simulation.state().x.allFinite());
+            CHECK(simulation.state().x == before.x);
+            CHECK(simulation.state().v == before.v);
+            CHECK(simulation.state().time == before.time);
+            CHECK(simulation.flow().dissipated == flow.dissipated);
+            CHECK(simulation.flow().driven == flow.driven);
+        }
+    }
+}

@@ -1,0 +1,98 @@
+#include "simulate/stable_step.h"
+
+#include <Eigen/Eigenvalues>
+#include <catch2/catch.hpp>
+
+#include "support/motion.h"
+#include "support/setups.h"
+
+using namespace drape;
+using namespace drape::test;
+
+namespace {
+
+// The fastest mode by all eigenvalues of the mass-weighted stiffness matrix.
+double true_omega(Dynamics& dynamics, const Points& x) {
+    constexpr double way = 1e-6;
+    const Eigen::Index n = x.size();
+    Eigen::MatrixXd k(n, n);
+    Points y = x, plus, minus;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        y.data()[i] = x.data()[i] + way;
+        dynamics.acceleration_without_contact(y, plus);
+        y.data()[i] = x.data()[i] - way;
+        dynamics.acceleration_without_contact(y, minus);
+        y.data()[i] = x.data()[i];
+        // pinned rows are zero already; scaling by sqrt m on one side and 1 / sqrt m on the other symmetrises
+        const double root = std::sqrt(dynamics.model().mass[i / 3]);
+        const Points column =
+            (minus - plus) / (2 * way) * dynamics.model().mass.cwiseSqrt().asDiagonal() / root;
+        k.col(i) = Eigen::Map<const Eigen::VectorXd>(column.data(), n);
+        if (dynamics.model().inverse_mass[i / 3] == 0) k.col(i).setZero();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((k + k.transpose()) / 2,
+                                                                Eigen::EigenvaluesOnly);
+    return std::sqrt(solver.eigenvalues()[n - 1]);
+}
+
+}  // namespace
+
+TEST_CASE("a triangle's fastest mode is the one on paper", "[simulate]") {
+    // two springs at 60 degrees hold the apex: c (1 + cos 60) / m
+    Model model = model_of(equilateral_triangle(), bare_springs(500));
+    const Points x = model.cloths[0].mesh.rest;
+    hold(model, {0, 1}, x);
+    Dynamics dynamics(model, forces_of(model, {}), nullptr);
+    CHECK(measured_omega(dynamics, x) == Approx(std::sqrt(1.5 * 500 / model.mass[2])).epsilon(1e-6));
+}
+
+TEST_CASE("the measured fastest mode is just below the true one, Gershgorin's bound above", "[simulate]") {
+    Setup bent = scene_of(jittered_square(6, "alternating", 0.3), full_fabric(), {0, 6});
+    for (const Setup& setup : {swatch(6, 200), flag(6), ball_drop(6), bent}) {
+        Simulation simulation(setup);
+        for (int frame = 0; frame <= 6; frame += 3) {
+            const Points& x = simulation.state().x;
+            const double truth = true_omega(simulation.dynamics(), x);
+            const double measured = measured_omega(simulation.dynamics(), x);
+            CAPTURE(frame, truth);
+            CHECK(measured > 0.98 * truth);  // measured 0.993
+            CHECK(measured < 1.0001 * truth);
+            CHECK(gershgorin_spectrum(simulation.dynamics(), x).omega > truth);
+            for (int i = 0; i < 3; ++i) REQUIRE(simulation.advance().trouble.empty());
+        }
+    }
+}
+
+TEST_CASE("measuring the fastest mode depends on nothing but the pose", "[simulate]") {
+    Simulation moved(ball_drop()), fresh(ball_drop());
+    run(moved);
+    const Points x = moved.state().x;
+    CHECK(measured_omega(moved.dynamics(), x) == measured_omega(fresh.dynamics(), x));
+}
+
+TEST_CASE("the step is safe by the measured mode and longer than the bound alone would allow", "[simulate]") {
+    for (const Setup& setup : {swatch(8, 200), flag()}) {
+        Simulation simulation(setup);
+        const double truth = true_omega(simulation.dynamics(), simulation.state().x);
+        const Spectrum bound = gershgorin_spectrum(simulation.dynamics(), simulation.state().x);
+        CHECK(simulation.guaranteed_step() == simulation.method().longest_step(bound));
+        CHECK(simulation.longest_step() > simulation.guaranteed_step());
+        CHECK(simulation.longest_step() < simulation.method().longest_step({truth, bound.gamma}));
+    }
+}
+
+TEST_CASE("contact's stiffness and damping are added to the cloth's own", "[simulate]") {
+    const Spectrum sum = with_contact({3, 1}, {.omega_squared = 16, .gamma = 0.5});
+    CHECK(sum.omega == Approx(5));
+    CHECK(sum.gamma == Approx(1.5));
+}
+
+TEST_CASE("cloth without stiffness has no fastest mode, and its frame is one step", "[simulate]") {
+    Setup setup = scene_of(square(2), bare_springs(0));
+    Simulation simulation(setup);
+    CHECK(measured_omega(simulation.dynamics(), setup.start.x) == 0);
+    const FrameReport report = simulation.advance();
+    CHECK(report.steps == 1);
+    // free fall, exact in one step
+    CHECK((simulation.state().x.row(1).array() + 9.81 * 0.05 * 0.05 / 2).abs().maxCoeff() < 1e-15);
+}
