@@ -1,7 +1,185 @@
 #include "app/command_line.h"
 
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "app/verbs.h"
+#include "app/version.h"
+#include "base/names.h"
+
 namespace drape {
 
-int run_command_line(int, char**) { return 2; }
+namespace {
+
+using Action = std::function<Exit()>;
+
+// Two whole numbers with a separator: "1:10", "640x360". Throws Error that says what is allowed.
+std::array<int, 2> pair_of(const std::string& text, char separator, const std::string& flag,
+                           const std::string& allowed) {
+    std::array<int, 2> pair{};
+    const char *at = text.data(), *const end = at + text.size();
+    for (const size_t i : {0U, 1U}) {
+        const auto [stop, error] = std::from_chars(at, end, pair[i]);
+        const bool last = i == 1, separated = !last && stop != end && *stop == separator;
+        if (error != std::errc() || (last ? stop != end : !separated))
+            throw Error(cat(flag, " ", text, ": expected ", allowed));
+        at = stop + 1;
+    }
+    return pair;
+}
+
+double positive_number(const std::string& text, const std::string& flag, const std::string& allowed) {
+    double value = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || stop != text.data() + text.size() || !(value > 0) || !std::isfinite(value))
+        throw Error(cat(flag, " ", text, ": expected ", allowed));
+    return value;
+}
+
+void add_run_options(CLI::App& verb, const std::shared_ptr<RunOptions>& run) {
+    verb.add_option("SCENE", run->scene, "a scene file, or the name of a demo scene")->required();
+    verb.add_option("--out", run->out, "folder of the results (default: renders/ and the scene's name)")
+        ->type_name("DIR");
+    verb.add_option("--method", run->method, "how to step through time (drape list methods)")
+        ->type_name("NAME");
+    verb.add_option_function<std::string>(
+            "--step",
+            [run](const std::string& text) { run->step = positive_number(text, "--step", "seconds over 0"); },
+            "the step in seconds (default: the longest stable one, less a margin)")
+        ->type_name("S");
+    verb.add_option("--threads", run->threads, "how many threads (default: one per core)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    verb.add_option("--set", run->set, "change a value of the scene; may be given again")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb.add_flag("--resume", run->resume, "go on from the folder's checkpoint, if there is one");
+    verb.add_flag("--quiet", run->quiet, "print nothing but errors");
+}
+
+Action declare_render(CLI::App& verb) {
+    auto run = std::make_shared<RunOptions>();
+    add_run_options(verb, run);
+    verb.add_option_function<std::string>(
+            "--frames",
+            [run](const std::string& text) { run->frames = pair_of(text, ':', "--frames", "FIRST:LAST"); },
+            "only these frames, both included; they count from 1")
+        ->type_name("A:B");
+    verb.add_option_function<std::string>(
+            "--size",
+            [run](const std::string& text) {
+                run->size = pair_of(text, 'x', "--size", "WIDTHxHEIGHT in pixels");
+            },
+            "size of the pictures in pixels")
+        ->type_name("WxH");
+    return [run] { return run_scene(*run); };
+}
+
+Action declare_simulate(CLI::App& verb) {
+    auto run = std::make_shared<RunOptions>();
+    run->pictures = false;
+    add_run_options(verb, run);
+    verb.add_option("--cache", run->cache, "positions of the start and of every frame: .pc2 .mdd .obj .ply")
+        ->type_name("FILE");
+    return [run] { return run_scene(*run); };
+}
+
+Action declare_inspect(CLI::App& verb) {
+    struct Wanted {
+        std::string path;
+        std::vector<std::string> set;
+    };
+    auto wanted = std::make_shared<Wanted>();
+    verb.add_option("FILE", wanted->path, "a scene file, the name of a demo scene, or a mesh file")
+        ->required();
+    verb.add_option("--set", wanted->set, "change a value of the scene; may be given again")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    return [wanted] { return inspect(wanted->path, wanted->set); };
+}
+
+Action declare_mesh(CLI::App& verb) {
+    auto wanted = std::make_shared<PatternOptions>();
+    verb.add_option("PATTERN", wanted->pattern, "drape list patterns")->required();
+    verb.add_option("-o,--output", wanted->file, "the file to write, .obj or .ply")
+        ->type_name("FILE")
+        ->required();
+    verb.add_option("--size", wanted->size, "of the sheet in metres (default 1 1)")->type_name("WIDTH DEPTH");
+    verb.add_option("--divisions", wanted->divisions, "quads along the two sides (default 32 32)")
+        ->type_name("COLUMNS ROWS");
+    return [wanted] { return write_pattern(*wanted); };
+}
+
+Action declare_list(CLI::App& verb) {
+    auto kind = std::make_shared<std::string>();
+    verb.add_option("KIND", *kind, "scenes, fabrics, methods, obstacles or patterns (default: all)");
+    return [kind] { return list_kinds(*kind); };
+}
+
+struct Verb {
+    std::string_view name, summary;
+    Action (*declare)(CLI::App&);  // adds the verb's options; returns what to do once they are read
+};
+
+constexpr std::array verbs{
+    Verb{"render", "Simulate a scene and draw every frame as a PNG", declare_render},
+    Verb{"simulate", "Simulate a scene without pictures; a cache keeps the positions", declare_simulate},
+    Verb{"inspect", "Say what a scene uses and costs, or what a mesh is like; nothing is run",
+         declare_inspect},
+    Verb{"mesh", "Write a generated cloth mesh", declare_mesh},
+    Verb{"list", "Print the names a scene or a command may use", declare_list},
+};
+
+// What was not understood, with the flag that was probably meant.
+std::string unexpected(const CLI::App& app, const std::string& word) {
+    const CLI::App* verb = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+    std::vector<std::string> known;
+    for (const CLI::Option* option : verb->get_options())
+        if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
+    if (word.starts_with("-")) return unknown_name("flag", word, known);
+    return cat("unexpected argument \"", word, "\" (drape ", verb->get_name(), " --help)");
+}
+
+int parse_and_run(int argc, char** argv) {
+    CLI::App app("drape: cloth simulated as masses on springs, drawn without a display", "drape");
+    app.set_version_flag("--version", cat("drape ", version));
+    app.footer("Run `drape VERB --help` for a verb's options.");
+    app.require_subcommand(1);
+    Action action;
+    for (const Verb& verb : verbs) {
+        CLI::App* sub = app.add_subcommand(std::string(verb.name), std::string(verb.summary));
+        sub->callback([&action, todo = verb.declare(*sub)] { action = todo; });
+    }
+    if (argc < 2) throw Error(cat("what to do? (", joined(names_of(verbs)), "; drape --help)"));
+    if (argv[1][0] != '-') find_named(verbs, "verb", argv[1]);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ExtrasError&) {
+        throw Error(unexpected(app, app.remaining(true).front()));
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+        throw Error(error.what());
+    }
+    return static_cast<int>(action());
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+    try {
+        return parse_and_run(argc, argv);
+    } catch (const Error& error) {
+        std::fprintf(stderr, "drape: %s\n", error.what());
+        return static_cast<int>(error.code());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "drape: out of memory\n");
+        return static_cast<int>(Exit::went_wrong);
+    }
+}
 
 }  // namespace drape

@@ -1,7 +1,7 @@
 # bash completion for drape
 _drape() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]}
-    local run="--out --method --step --threads --set --quiet --help"
+    local run="--out --method --step --threads --set --resume --quiet --help"
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
@@ -22,8 +22,8 @@ _drape() {
     case $verb in
         render) words="$run --frames --size" ;;
         simulate) words="$run --cache" ;;
-        inspect) words="--help" ;;
-        mesh) words="one_way alternating -o --help" ;;
+        inspect) words="--set --help" ;;
+        mesh) words="one_way alternating -o --size --divisions --help" ;;
         list) words="scenes fabrics methods obstacles patterns --help" ;;
         *) return ;;
     esac

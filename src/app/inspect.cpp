@@ -1,0 +1,112 @@
+// inspect: what a scene uses, needs and costs, or what a mesh is like. Nothing is simulated.
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/demo_scenes.h"
+#include "app/verbs.h"
+#include "io/load_mesh.h"
+#include "mesh/quality.h"
+#include "scene/builder.h"
+#include "scene/reader.h"
+#include "scene/scene_text.h"
+#include "simulate/predicted_cost.h"
+
+namespace drape {
+
+namespace {
+
+void print_mesh(const Mesh& mesh) {
+    const Topology topology = build_topology(mesh.faces, mesh.vertices());
+    const MeshQuality q = measure_quality(mesh, topology);
+    const Vec3 size = mesh.rest.rowwise().maxCoeff() - mesh.rest.rowwise().minCoeff();
+    std::printf("  vertices            %d (%d in the file)\n", q.vertices,
+                static_cast<int>(mesh.file_vertex.size()));
+    std::printf("  edges, triangles    %d, %d\n", q.edges, q.triangles);
+    std::printf("  components          %d\n", q.components);
+    std::printf("  boundary loops      %d\n", q.boundary_loops);
+    std::printf("  non-manifold edges  %d\n", q.non_manifold_edges);
+    std::printf("  size                %.4g x %.4g x %.4g m, area %.4g m^2\n", size.x(), size.y(), size.z(),
+                q.area);
+    std::printf("  edge length         %.3g to %.3g m, mean %.3g m\n", q.shortest_edge, q.longest_edge,
+                q.mean_edge);
+    std::printf("  smallest angle      %.1f degrees (triangle %d)\n", q.smallest_angle_deg, q.worst_triangle);
+    std::printf("  slivers             %d; the worst vertex makes the step %.2f times smaller\n", q.slivers,
+                q.step_cost);
+}
+
+void print_fabric(const Cloth& cloth) {
+    std::printf("  mass                %.4g kg\n", cloth.mass.sum());
+    const DirectionalModulus& m = cloth.network.modulus;
+    if (cloth.fabric.stretch == 0) return;
+    std::printf("  stretch modulus     %.4g N/m mean; %.4g at %.0f degrees to %.4g at %.0f degrees\n", m.mean,
+                m.least, m.least_angle_deg, m.most, m.most_angle_deg);
+    if (cloth.fabric.stretch_model == StretchModel::membrane)
+        std::printf("  calibration         springs times %.4f, so that the mean is the fabric's\n",
+                    cloth.network.calibration);
+}
+
+void print_plan(const Plan& plan) {
+    std::printf("plan\n");
+    for (const Stage& stage : plan.stages)
+        std::printf("  %s %-34s %s\n", stage.used ? "used    " : "left out", stage.name.c_str(),
+                    stage.because.c_str());
+}
+
+void print_step(const Simulation& simulation) {
+    const PredictedCost cost = predicted_cost(simulation);
+    std::printf("step\n");
+    std::printf("  method              %.*s: %s\n", static_cast<int>(simulation.method().name.size()),
+                simulation.method().name.data(), simulation.chosen_because().c_str());
+    std::printf("  guaranteed stable   %.4g s (Gershgorin's bound)\n", simulation.guaranteed_step());
+    std::printf("  longest stable      %.4g s (fastest mode measured, less 10 %%)\n",
+                simulation.longest_step());
+    std::printf("  used                %.4g s: %.0f steps a frame, %.0f in all\n", simulation.step(),
+                cost.steps / simulation.frames(), cost.steps);
+    std::printf("predicted cost\n");
+    std::printf("  simulate            %.3g CPU s (%.3g ms a step%s)\n", cost.seconds,
+                1e3 * cost.seconds / cost.steps,
+                simulation.obstacles().empty() ? "" : "; hard contact makes steps shorter");
+}
+
+Exit inspect_mesh(const std::string& path) {
+    const LoadedMesh loaded = load_mesh(path);
+    std::printf("%s\n", path.c_str());
+    print_mesh(loaded.mesh);
+    std::printf("  left out            %d triangles without area, %d points and lines, %d unused vertices\n",
+                loaded.dropped_zero_area, loaded.dropped_points_lines, loaded.unused_vertices);
+    for (const std::string& note : loaded.notes) std::printf("  note                %s\n", note.c_str());
+    return Exit::done;
+}
+
+Exit inspect_scene(const std::string& path, const std::vector<std::string>& overrides) {
+    const SceneDescription scene = read_scene(path, overrides);
+    Built built = build_scene(scene);
+    const Simulation simulation(std::move(built.setup));
+    std::printf("%s: %s, %d frames at %g a second\n", path.c_str(), scene.name.c_str(), simulation.frames(),
+                simulation.frame_rate());
+    const std::vector<Cloth>& cloths = simulation.model().cloths;
+    for (size_t c = 0; c < cloths.size(); ++c) {
+        std::printf("cloth %zu\n", c + 1);
+        print_mesh(cloths[c].mesh);
+        print_fabric(cloths[c]);
+    }
+    for (const std::string& note : built.notes) std::printf("  note                %s\n", note.c_str());
+    print_plan(simulation.plan());
+    print_step(simulation);
+    std::printf("effective scene\n%s", scene_text(scene).c_str());
+    return Exit::done;
+}
+
+}  // namespace
+
+Exit inspect(const std::string& path, const std::vector<std::string>& overrides) {
+    const std::filesystem::path file(path);
+    const bool is_mesh = file.has_extension() && file.extension() != ".toml";
+    if (!is_mesh) return inspect_scene(scene_path(path), overrides);
+    if (!overrides.empty())
+        throw Error(path + ": --set changes a scene, and this is a mesh (scenes end in .toml)");
+    return inspect_mesh(path);
+}
+
+}  // namespace drape

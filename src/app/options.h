@@ -1,0 +1,32 @@
+// What the command line asks of a run.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace drape {
+
+struct RunOptions {
+    std::string scene;
+    std::string out;               // "" = renders/<scene file's stem>
+    std::vector<std::string> set;  // KEY=VALUE
+    std::optional<std::string> method;
+    std::optional<double> step;  // [s]
+    int threads = 0;             // 0 = as many as there are cores
+    bool quiet = false;
+    bool resume = false;
+    bool pictures = true;                      // render; simulate makes none
+    std::optional<std::array<int, 2>> frames;  // first and last to draw, both included
+    std::optional<std::array<int, 2>> size;    // of the pictures
+    std::string cache;                         // simulate: "" = none
+};
+
+struct PatternOptions {
+    std::string pattern, file;
+    std::array<double, 2> size{1, 1};      // width, depth [m]
+    std::array<int, 2> divisions{32, 32};  // columns, rows
+};
+
+}  // namespace drape

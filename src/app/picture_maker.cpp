@@ -1,0 +1,110 @@
+#include "app/picture_maker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/names.h"
+#include "render/colour_map.h"
+#include "render/palette.h"
+#include "simulate/room.h"
+#include "simulate/strain.h"
+
+namespace drape {
+
+namespace {
+
+struct OverlayName {
+    std::string_view name;
+    Overlay overlay;
+};
+constexpr std::array overlays{OverlayName{"none", Overlay::none}, OverlayName{"wire", Overlay::wire},
+                              OverlayName{"strain", Overlay::strain},
+                              OverlayName{"springs", Overlay::springs}};
+
+constexpr double strain_range = 0.05;  // at the ends of the colour bar
+
+RenderSettings settings_of(const SceneDescription& scene, const Simulation& simulation) {
+    RenderSettings settings;
+    settings.width = scene.look.size[0];
+    settings.height = scene.look.size[1];
+    settings.overlay = find_named(overlays, "overlay", scene.look.overlay).overlay;
+    settings.strain_range = strain_range;
+    settings.bounds = room_of(simulation);
+    if (scene.look.camera)
+        settings.camera = {scene.look.camera->from, scene.look.camera->at, scene.look.camera->fov_deg};
+    else
+        settings.camera = frame_automatically(settings.bounds, double(settings.width) / settings.height);
+    settings.ground = scene.look.ground;
+    settings.ground_height = settings.bounds.min().y() - 0.02 * settings.bounds.sizes().maxCoeff();
+    return settings;
+}
+
+std::vector<DrawnCloth> cloths_of(const SceneDescription& scene, const Simulation& simulation) {
+    std::vector<DrawnCloth> cloths;
+    for (size_t i = 0; i < scene.cloths.size(); ++i) {
+        const ClothColours& asked = scene.cloths[i].colours;
+        ClothLook look = palette(static_cast<int>(i));
+        look.front = asked.front.value_or(look.front);
+        look.back = asked.back.value_or(look.back);
+        look.stripe = asked.stripe.value_or(look.stripe);
+        look.stripes = asked.stripes;
+        cloths.push_back({&simulation.model().cloths[i].mesh, look});
+    }
+    return cloths;
+}
+
+std::vector<DrawnSolid> solids_of(const SceneDescription& scene, const Simulation& simulation) {
+    const double extent = 40 * room_of(simulation).sizes().maxCoeff();
+    std::vector<DrawnSolid> solids;
+    for (size_t i = 0; i < simulation.obstacles().size(); ++i) {
+        const Obstacle& obstacle = simulation.obstacles()[i];
+        const bool level = obstacle.kind == "plane" && !obstacle.motion.moves() &&
+                           scene.obstacles[i].parameters.normal.normalized().y() > 0.999;
+        const double side = level ? extent : extent / 10;
+        solids.push_back({obstacle.solid->surface(side), scene.obstacles[i].colour, level});
+    }
+    return solids;
+}
+
+Segments springs_of(const Simulation& simulation) {
+    Segments segments;
+    size_t count = 0;
+    for (const Cloth& cloth : simulation.model().cloths)
+        count += cloth.network.edges.size() + cloth.network.bends.size();
+    segments.ends.resize(3, static_cast<Eigen::Index>(2 * count));
+    for (const Cloth& cloth : simulation.model().cloths) {
+        for (const auto* springs : {&cloth.network.edges, &cloth.network.bends}) {
+            for (const Spring& spring : *springs) {
+                const Vec3 a = simulation.state().x.col(cloth.first + spring.a);
+                const Vec3 b = simulation.state().x.col(cloth.first + spring.b);
+                const auto s = static_cast<Eigen::Index>(segments.colour.size());
+                segments.ends.col(2 * s) = a;
+                segments.ends.col(2 * s + 1) = b;
+                const double strain = spring.rest_length > 0 ? (b - a).norm() / spring.rest_length - 1 : 0;
+                segments.colour.push_back(diverging_colour(static_cast<float>(strain / strain_range)));
+            }
+        }
+    }
+    return segments;
+}
+
+}  // namespace
+
+PictureMaker::PictureMaker(const SceneDescription& scene, const Simulation& simulation)
+    : overlay_(find_named(overlays, "overlay", scene.look.overlay).overlay),
+      renderer_(settings_of(scene, simulation), cloths_of(scene, simulation), solids_of(scene, simulation)) {}
+
+Image PictureMaker::draw(const Simulation& simulation) {
+    FrameInput frame;
+    const State& state = simulation.state();
+    for (const Cloth& cloth : simulation.model().cloths) {
+        frame.cloth.emplace_back(state.x.middleCols(cloth.first, cloth.vertices()));
+        if (overlay_ == Overlay::strain) frame.strain.push_back(vertex_strain(cloth, state.x));
+    }
+    for (const Obstacle& obstacle : simulation.obstacles())
+        frame.solid.push_back(obstacle.motion.at(state.time).pose);
+    if (overlay_ == Overlay::springs) frame.segments = springs_of(simulation);
+    return renderer_.draw(frame);
+}
+
+}  // namespace drape

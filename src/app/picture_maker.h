@@ -1,0 +1,25 @@
+// Hands a simulation's frames to the renderer.
+#pragma once
+
+#include <memory>
+
+#include "base/image.h"
+#include "render/renderer.h"
+#include "scene/description.h"
+#include "simulate/simulation.h"
+
+namespace drape {
+
+class PictureMaker {
+public:
+    PictureMaker(const SceneDescription& scene, const Simulation& simulation);
+
+    Image draw(const Simulation& simulation);
+    std::string renderer() const { return renderer_.description(); }
+
+private:
+    Overlay overlay_;
+    Renderer renderer_;
+};
+
+}  // namespace drape

@@ -1,0 +1,269 @@
+// render and simulate: scene -> simulation -> frames -> pictures, cache, report.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "app/demo_scenes.h"
+#include "app/interrupt.h"
+#include "app/progress.h"
+#include "app/verbs.h"
+#include "app/version.h"
+#include "base/hash.h"
+#include "io/cache_writer.h"
+#include "io/png.h"
+#include "io/read_file.h"
+#include "io/write_file.h"
+#include "report/report.h"
+#include "scene/builder.h"
+#include "scene/reader.h"
+#include "scene/scene_text.h"
+#include "simulate/checkpoint.h"
+#ifdef DRAPE_WITH_RENDER
+#include "app/picture_maker.h"
+#endif
+
+namespace drape {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t largest_checkpoint = std::uint64_t{4} << 30;  // [bytes]
+
+SceneDescription described(const RunOptions& options) {
+    SceneDescription scene = read_scene(scene_path(options.scene), options.set);
+    if (options.size) scene.look.size = *options.size;
+    if (options.method) scene.accuracy.method = *options.method;
+    if (options.step) scene.accuracy.step = options.step;
+    return scene;
+}
+
+// One run from scene to report, step by step.
+class Run {
+public:
+    explicit Run(const RunOptions& options);
+    Exit go();
+
+private:
+    void prepare_folder();
+    void prepare_cache();
+    void resume();
+    void add_output_stages();
+    void draw_frame(int frame);
+    void save_checkpoint();
+    void finish(bool complete);
+
+    RunOptions options_;
+    WallTimer wall_;
+    RunReport report_;
+    SceneDescription scene_;
+    std::uint64_t scene_hash_ = 0;
+    std::string out_;
+    std::array<int, 2> drawn_{};  // first and last frame to draw
+    std::unique_ptr<Simulation> simulation_;
+    std::vector<std::unique_ptr<CacheWriter>> caches_;
+#ifdef DRAPE_WITH_RENDER
+    std::unique_ptr<PictureMaker> pictures_;
+#endif
+};
+
+Run::Run(const RunOptions& options) : options_(options), scene_(described(options)) {
+    const int frames = scene_.frames();
+    drawn_ = options.frames.value_or(std::array{1, frames});
+    if (drawn_[0] < 1 || drawn_[1] < drawn_[0] || drawn_[1] > frames)
+        throw Error(cat("--frames ", drawn_[0], ":", drawn_[1], ": the scene has frames 1:", frames));
+    scene_hash_ = hash_bytes(scene_text(scene_).data(), scene_text(scene_).size());
+    out_ = options.out.empty() ? "renders/" + fs::path(options.scene).stem().string() : options.out;
+    report_.scene = scene_.name;
+    report_.version = version;
+    {
+        const CpuScope timer(report_.times.build);
+        Built built = build_scene(scene_);
+        report_.times.load = built.load_seconds;
+        report_.notes = built.notes;
+        simulation_ = std::make_unique<Simulation>(std::move(built.setup));
+    }
+    report_.times.build -= report_.times.load;
+    if (simulation_->lifted() > 0)
+        report_.notes.push_back(cat("cloth started within an obstacle's contact thickness: moved out by ",
+                                    simulation_->lifted(), " m"));
+    report_.plan = simulation_->plan();
+    report_.start = simulation_->energies();
+    add_output_stages();
+    prepare_folder();
+    if (options.resume) resume();
+    prepare_cache();
+}
+
+void Run::add_output_stages() {
+    if (options_.pictures)
+        report_.plan.use("pictures", cat("frames ", drawn_[0], " to ", drawn_[1]));
+    else
+        report_.plan.leave_out("pictures", "simulate draws none: no GL context is made");
+    if (options_.cache.empty())
+        report_.plan.leave_out("cache", "no --cache asked");
+    else
+        report_.plan.use("cache", options_.cache);
+}
+
+// A fresh run of all frames leaves no frame of an earlier, longer one behind.
+void Run::prepare_folder() {
+    make_folder(out_);
+    if (options_.resume || options_.frames || !options_.pictures) return;
+    std::error_code trouble;
+    for (const auto& entry : fs::directory_iterator(out_, trouble)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with("frame_") && name.ends_with(".png")) fs::remove(entry.path(), trouble);
+    }
+}
+
+void Run::prepare_cache() {
+    if (options_.cache.empty()) return;
+    const std::vector<Cloth>& cloths = simulation_->model().cloths;
+    for (size_t c = 0; c < cloths.size(); ++c) {
+        fs::path path(options_.cache);
+        if (cloths.size() > 1)
+            path.replace_filename(cat(path.stem().string(), "_cloth", c + 1, path.extension().string()));
+        if (path.has_parent_path()) make_folder(path.parent_path().string());
+        caches_.push_back(make_cache_writer(path.string(), cloths[c].mesh, scene_.frame_rate, drawn_[1] + 1));
+        caches_.back()->add(simulation_->state().x.middleCols(cloths[c].first, cloths[c].vertices()));
+    }
+}
+
+// Goes on from the folder's checkpoint if it is one of this scene; otherwise from the start, and says so.
+void Run::resume() {
+    const std::string path = out_ + "/checkpoint";
+    if (!fs::exists(path)) return;
+    const auto found = read_checkpoint(read_file(path, largest_checkpoint));
+    if (!found) throw Error(path + ": not a whole checkpoint of this version (remove it to start fresh)");
+    if (found->scene_hash != scene_hash_)
+        throw Error(path + ": is of another scene or other settings (remove it to start fresh)");
+    if (!options_.cache.empty())
+        throw Error(
+            "--resume cannot go on with a --cache: earlier frames' positions are gone (leave one out)");
+    simulation_->resume(found->frame, found->state, found->flow);
+    report_.start = {0, found->start_energy};
+    report_.notes.push_back(cat("resumed after frame ", found->frame));
+}
+
+void Run::draw_frame([[maybe_unused]] int frame) {
+#ifdef DRAPE_WITH_RENDER
+    if (!options_.pictures || frame < drawn_[0]) return;
+    Image image;
+    {
+        const CpuScope timer(report_.times.render);
+        if (!pictures_) pictures_ = std::make_unique<PictureMaker>(scene_, *simulation_);
+        image = pictures_->draw(*simulation_);
+    }
+    std::vector<std::uint8_t> png;
+    {
+        const CpuScope timer(report_.times.encode);
+        png = encode_png(image);
+    }
+    const CpuScope timer(report_.times.write);
+    char name[32];
+    std::snprintf(name, sizeof name, "/frame_%04d.png", frame);
+    write_file(out_ + name, png);
+#endif
+}
+
+void Run::save_checkpoint() {
+    const CpuScope timer(report_.times.write);
+    write_file(out_ + "/checkpoint",
+               checkpoint_bytes({scene_hash_, simulation_->frame(), simulation_->state(), simulation_->flow(),
+                                 report_.start.total()}));
+}
+
+void Run::finish(bool complete) {
+    for (const auto& cache : caches_) cache->finish();
+    report_.method = &simulation_->method();
+    report_.chosen_because = simulation_->chosen_because();
+    report_.step = simulation_->step();
+    report_.longest_step = simulation_->longest_step();
+    report_.guaranteed_step = simulation_->guaranteed_step();
+    report_.end = simulation_->energies();
+    report_.flow = simulation_->flow();
+    report_.times.contact = simulation_->dynamics().contact_seconds();
+    report_.times.total = process_cpu_seconds();
+    report_.times.wall = wall_.seconds();
+#ifdef DRAPE_WITH_RENDER
+    if (pictures_) report_.renderer = pictures_->renderer();
+#endif
+    write_file(out_ + "/report.json", report_json(report_));
+    if (complete) {
+        std::error_code none;
+        fs::remove(out_ + "/checkpoint", none);
+    }
+    if (!options_.quiet) {
+        for (const std::string& note : report_.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+        std::fputs(report_summary(report_).c_str(), stdout);
+        std::printf("  %s\n", out_.c_str());
+    }
+}
+
+Exit Run::go() {
+    catch_interrupts();
+#ifdef DRAPE_WITH_RENDER
+    // the room the cloth moves in is judged from its start
+    if (options_.pictures && simulation_->frame() == 0) {
+        const CpuScope timer(report_.times.render);
+        pictures_ = std::make_unique<PictureMaker>(scene_, *simulation_);
+    }
+#endif
+    double unsaved = 0;  // CPU seconds since the last checkpoint
+    {
+        Progress progress(simulation_->frame() + 1, drawn_[1], options_.quiet);
+        while (simulation_->frame() < drawn_[1]) {
+            const double before = process_cpu_seconds();
+            FrameReport frame;
+            {
+                const CpuScope timer(report_.times.simulate);
+                frame = simulation_->advance();
+            }
+            if (!frame.trouble.empty()) {
+                save_checkpoint();
+                finish(false);
+                throw Error(cat(options_.scene, ": frame ", frame.index, ": ", frame.trouble),
+                            Exit::went_wrong);
+            }
+            report_.frames.push_back(frame);
+            draw_frame(frame.index);
+            for (size_t c = 0; c < caches_.size(); ++c) {
+                const Cloth& cloth = simulation_->model().cloths[c];
+                caches_[c]->add(simulation_->state().x.middleCols(cloth.first, cloth.vertices()));
+            }
+            progress.frame_done(frame.index, frame.time, frame.steps);
+            unsaved += process_cpu_seconds() - before;
+            if (interrupted() && simulation_->frame() < drawn_[1]) {
+                save_checkpoint();
+                finish(false);
+                return Exit::interrupted;
+            }
+            if (unsaved > 5) {
+                save_checkpoint();
+                unsaved = 0;
+            }
+        }
+    }
+    finish(true);
+    return Exit::done;
+}
+
+}  // namespace
+
+Exit run_scene(const RunOptions& options) {
+#ifndef DRAPE_WITH_RENDER
+    if (options.pictures)
+        throw Error(
+            "this drape was built without a renderer (use `drape simulate`, or build with DRAPE_RENDER=ON)");
+#endif
+    // Mesa's rasteriser reads its number of threads from the environment
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const unsigned threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
+    setenv("LP_NUM_THREADS", std::to_string(threads == 1 ? 0 : threads).c_str(), 1);
+    return Run(options).go();
+}
+
+}  // namespace drape

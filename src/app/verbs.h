@@ -1,0 +1,16 @@
+// The program's verbs, one file each. Each returns the exit code, or throws Error.
+#pragma once
+
+#include <string>
+
+#include "app/options.h"
+#include "base/error.h"
+
+namespace drape {
+
+Exit run_scene(const RunOptions& options);                                         // render, simulate
+Exit inspect(const std::string& path, const std::vector<std::string>& overrides);  // a scene or a mesh
+Exit write_pattern(const PatternOptions& options);
+Exit list_kinds(const std::string& kind);  // "" = all
+
+}  // namespace drape

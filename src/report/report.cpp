@@ -1,0 +1,154 @@
+#include "report/report.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+
+namespace drape {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// what kind of machine: its processor's own name
+std::string processor_name() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "unknown";
+}
+
+Json known(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json plan_json(const Plan& plan) {
+    Json used = Json::array(), left_out = Json::array();
+    for (const Stage& stage : plan.stages) {
+        if (stage.used)
+            used.push_back(stage.name);
+        else
+            left_out.push_back({{"stage", stage.name}, {"because", stage.because}});
+    }
+    return {{"used", used}, {"left_out", left_out}};
+}
+
+Json frame_json(const FrameReport& frame) {
+    return {{"index", frame.index},
+            {"time_s", frame.time},
+            {"hash", frame.hash},
+            {"error_m", nullptr},
+            {"steps", frame.steps},
+            {"shortest_step_s", frame.shortest_step},
+            {"contacts", frame.contacts},
+            {"least_distance_m", known(frame.least_distance)},
+            {"largest_strain", frame.strain},
+            {"fastest_m_per_s", frame.fastest}};
+}
+
+std::string number(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+}  // namespace
+
+long RunReport::steps() const {
+    long sum = 0;
+    for (const FrameReport& frame : frames) sum += frame.steps;
+    return sum;
+}
+
+double RunReport::least_distance() const {
+    double least = INFINITY;
+    for (const FrameReport& frame : frames) least = std::min(least, frame.least_distance);
+    return least;
+}
+
+double RunReport::deepest_penetration() const {
+    return std::max(0.0, -least_distance());
+}
+
+int RunReport::contacts_max() const {
+    int most = 0;
+    for (const FrameReport& frame : frames) most = std::max(most, frame.contacts);
+    return most;
+}
+
+double peak_memory_mb() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+std::string report_json(const RunReport& r) {
+    Json json;
+    json["scene"] = r.scene;
+    json["version"] = r.version;
+    json["machine"] = {{"processor", processor_name()},
+                       {"cores", std::thread::hardware_concurrency()},
+                       {"renderer", r.renderer.empty() ? Json(nullptr) : Json(r.renderer)}};
+    json["method"] = {{"name", r.method->name},
+                      {"step_s", r.step},
+                      {"steps", r.steps()},
+                      {"margin", known(r.longest_step / r.step)},
+                      {"guaranteed_step_s", known(r.guaranteed_step)},
+                      {"chosen_because", r.chosen_because}};
+    json["error"] = {{"asked_m", nullptr},
+                     {"estimated_rms_m", nullptr},
+                     {"estimated_max_m", nullptr},
+                     {"predictability_floor_m", nullptr},
+                     {"how", "not estimated"}};
+    const StageTimes& t = r.times;
+    json["time"] = {{"total_s", t.total},       {"load_s", t.load},       {"build_s", t.build},
+                    {"simulate_s", t.simulate}, {"contact_s", t.contact}, {"error_s", t.error},
+                    {"render_s", t.render},     {"encode_s", t.encode},   {"write_s", t.write},
+                    {"wall_s", t.wall}};
+    json["memory_peak_mb"] = peak_memory_mb();
+    json["energy"] = {{"start_j", r.start.total()},
+                      {"end_j", r.end.total()},
+                      {"dissipated_j", r.flow.dissipated},
+                      {"driven_j", r.flow.driven},
+                      {"drift_j", r.energy_drift()}};
+    json["contact"] = {{"deepest_penetration_m", r.deepest_penetration()},
+                       {"least_distance_m", known(r.least_distance())},
+                       {"contacts_max", r.contacts_max()},
+                       {"crossings", nullptr}};
+    json["plan"] = plan_json(r.plan);
+    json["notes"] = r.notes;
+    json["frames"] = Json::array();
+    for (const FrameReport& frame : r.frames) json["frames"].push_back(frame_json(frame));
+    return json.dump(2) + "\n";
+}
+
+std::string report_summary(const RunReport& r) {
+    const StageTimes& t = r.times;
+    std::string text = cat(r.scene, ": ", r.frames.size(), " frames, ", r.steps(), " steps of ",
+                           r.method->name, ", ", number("%.3g", r.step * 1e6), " us each (",
+                           number("%.2f", r.longest_step / r.step), " of them would still be stable)\n");
+    text += cat("  CPU ", number("%.1f", t.total), " s: simulate ", number("%.1f", t.simulate), " (contact ",
+                number("%.1f", t.contact), "), render ", number("%.1f", t.render), ", encode ",
+                number("%.1f", t.encode), "; wall ", number("%.1f", t.wall), " s; memory ",
+                number("%.0f", peak_memory_mb()), " MB\n");
+    text += cat("  energy ", number("%.4g", r.start.total()), " -> ", number("%.4g", r.end.total()),
+                " J, heat ", number("%.4g", r.flow.dissipated), " J, put in ", number("%.4g", r.flow.driven),
+                " J, unaccounted ", number("%.2g", r.energy_drift()), " J\n");
+    if (std::isfinite(r.least_distance()))
+        text += cat("  contact: at most ", r.contacts_max(), " points, never nearer than ",
+                    number("%.3g", r.least_distance() * 1e3), " mm to an obstacle\n");
+    if (!r.frames.empty())
+        text += cat("  largest strain at the end ", number("%.2f", 100 * r.frames.back().strain),
+                    " %; time-step error: not estimated\n");
+    return text;
+}
+
+}  // namespace drape

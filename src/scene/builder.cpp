@@ -1,0 +1,115 @@
+#include "scene/builder.h"
+
+#include "base/error.h"
+#include "base/timer.h"
+#include "io/load_mesh.h"
+#include "scene/find_pins.h"
+
+namespace drape {
+
+namespace {
+
+Mesh load_noted(const SceneDescription& scene, const std::string& file, const Place& place,
+                std::vector<std::string>& notes) {
+    LoadedMesh loaded = in_context(place.text, [&] { return load_mesh(scene.path_to(file)); });
+    for (const std::string& note : loaded.notes) notes.push_back(cat(file, ": ", note));
+    if (loaded.dropped_zero_area > 0)
+        notes.push_back(cat(file, ": ", loaded.dropped_zero_area, " triangles without area left out"));
+    if (loaded.dropped_points_lines > 0)
+        notes.push_back(cat(file, ": ", loaded.dropped_points_lines, " points and lines left out"));
+    if (loaded.unused_vertices > 0)
+        notes.push_back(
+            cat(file, ": ", loaded.unused_vertices, " vertices belong to no triangle and stand still"));
+    return std::move(loaded.mesh);
+}
+
+Points place(const Placement& placement, const Points& points) {
+    const Mat3 turn = placement.scale * rotation_from_degrees(placement.rotate_deg);
+    return (turn * points).colwise() + placement.translate;
+}
+
+// Positions of another file with the same vertices in the same order.
+Points start_from_mesh(const SceneDescription& scene, const ClothDescription& cloth, const Mesh& rest,
+                       std::vector<std::string>& notes) {
+    const Mesh other = load_noted(scene, cloth.start.mesh, cloth.start_mesh_place, notes);
+    if (other.file_vertex.size() != rest.file_vertex.size())
+        throw Error(cat(cloth.start_mesh_place.text, ": ", cloth.start.mesh, " has ",
+                        other.file_vertex.size(), " vertices, the cloth's mesh has ", rest.file_vertex.size(),
+                        " (they must be the same, in the same order)"));
+    const Points in_order = in_file_order(other, other.rest);
+    Points start = rest.rest;
+    for (size_t i = 0; i < rest.file_vertex.size(); ++i)
+        if (rest.file_vertex[i] >= 0)
+            start.col(rest.file_vertex[i]) = in_order.col(static_cast<Eigen::Index>(i));
+    return place(cloth.placement, start);
+}
+
+Points start_positions(const SceneDescription& scene, const ClothDescription& cloth, const Mesh& rest,
+                       std::vector<std::string>& notes) {
+    if (!cloth.start.mesh.empty()) return start_from_mesh(scene, cloth, rest, notes);
+    if (cloth.start.scale == Vec3::Ones()) return rest.rest;
+    // scaled along the axes of the rest shape as its file has it
+    const Mat3 turn = rotation_from_degrees(cloth.placement.rotate_deg);
+    const Vec3 centre = (rest.rest.rowwise().minCoeff() + rest.rest.rowwise().maxCoeff()) / 2;
+    const Mat3 stretch = turn * cloth.start.scale.asDiagonal() * turn.transpose();
+    return (stretch * (rest.rest.colwise() - centre)).colwise() + centre;
+}
+
+void append(State& state, const Points& x, const Vec3& velocity) {
+    const Eigen::Index before = state.x.cols();
+    state.x.conservativeResize(3, before + x.cols());
+    state.v.conservativeResize(3, before + x.cols());
+    state.x.rightCols(x.cols()) = x;
+    state.v.rightCols(x.cols()).colwise() = velocity;
+}
+
+std::shared_ptr<const Solid> make_solid(const ObstacleDescription& obstacle) {
+    for (const SolidKind& kind : solid_kinds())
+        if (kind.name == obstacle.shape)
+            return in_context(obstacle.place.text, [&] { return kind.make(obstacle.parameters); });
+    throw Error(cat(obstacle.place.text, ": unknown obstacle \"", obstacle.shape, "\""));
+}
+
+}  // namespace
+
+Mesh placed_mesh(const SceneDescription& scene, const ClothDescription& cloth,
+                 std::vector<std::string>& notes) {
+    Mesh mesh = cloth.mesh.empty()
+                    ? in_context(cloth.mesh_place.text,
+                                 [&] { return make_pattern(cloth.pattern, cloth.pattern_size); })
+                    : load_noted(scene, cloth.mesh, cloth.mesh_place, notes);
+    mesh.rest = place(cloth.placement, mesh.rest);
+    mesh.unused = place(cloth.placement, mesh.unused);
+    return mesh;
+}
+
+Built build_scene(const SceneDescription& scene) {
+    Built built;
+    Setup& setup = built.setup;
+    for (const ClothDescription& description : scene.cloths) {
+        Mesh mesh;
+        Points start;
+        {
+            const CpuScope timer(built.load_seconds);
+            mesh = placed_mesh(scene, description, built.notes);
+            start = start_positions(scene, description, mesh, built.notes);
+        }
+        add_cloth(setup.model, make_cloth(std::move(mesh), description.fabric));
+        append(setup.start, start, description.start.velocity);
+        const Cloth& cloth = setup.model.cloths.back();
+        for (const PinDescription& pin : description.pins)
+            add_pins(setup.model, find_pins(pin, cloth, setup.start.x));
+    }
+    for (const ObstacleDescription& obstacle : scene.obstacles)
+        setup.obstacles.push_back(
+            {obstacle.shape, make_solid(obstacle), RigidMotion(obstacle.motion), obstacle.friction});
+    setup.world = {scene.gravity, scene.air};
+    setup.world.air.seed = scene.seed;
+    setup.frame_rate = scene.frame_rate;
+    setup.frames = scene.frames();
+    if (scene.accuracy.method != "auto") setup.method = scene.accuracy.method;
+    setup.step = scene.accuracy.step;
+    return built;
+}
+
+}  // namespace drape

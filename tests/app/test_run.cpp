@@ -1,0 +1,216 @@
+// Whole runs of the program: what they leave behind, and that it is the same every time.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "io/cache_reader.h"
+#include "io/png.h"
+#include "support/run_program.h"
+#include "support/temporary_folder.h"
+
+using namespace drape;
+using namespace drape::test;
+using Json = nlohmann::json;
+
+namespace {
+
+// A sheet falls on a ball; four frames, or as many as `duration` has.
+std::string small_drop(const std::string& duration = "0.4", const std::string& more = "") {
+    return "schema = 1\n[scene]\nduration = " + duration +
+           "\nframe_rate = 10\n[[cloth]]\npattern = { name = \"alternating\", size = [1, 1], divisions = "
+           "[12, 12] }\n"
+           "place = { translate = [0, 0.45, 0] }\nfabric = \"cotton\"\n"
+           "[[obstacle]]\nshape = \"sphere\"\ncentre = [0, 0, 0]\nradius = 0.4\n"
+           "[render]\nsize = [160, 90]\ncamera = { from = [1, 1, 2], at = [0, 0.2, 0], fov_deg = 35 }\n" +
+           more;
+}
+
+Json report_of(const std::string& folder) {
+    return Json::parse(bytes_of(folder + "/report.json"));
+}
+
+}  // namespace
+
+TEST_CASE("simulate leaves a report with every key of the contract, and no picture", "[app]") {
+    const TemporaryFolder folder;
+    const Ran ran =
+        run_drape({"simulate", folder.file("drop.toml", small_drop()), "--out", folder.file("out")});
+    CAPTURE(ran.err);
+    REQUIRE(ran.exit_code == 0);
+    CHECK_THAT(ran.out, Catch::Contains("4 frames"));
+    const Json report = report_of(folder.file("out"));
+    for (const char* key : {"scene", "version", "machine", "method", "error", "time", "memory_peak_mb",
+                            "energy", "contact", "plan", "frames"})
+        CHECK(report.contains(key));
+    CHECK(report["error"]["how"] == "not estimated");
+    CHECK(report["error"]["estimated_rms_m"].is_null());
+    CHECK(report["machine"]["renderer"].is_null());  // no GL context was made
+    CHECK(report["contact"]["deepest_penetration_m"] == 0);
+    REQUIRE(report["frames"].size() == 4);
+    CHECK(report["frames"][3]["time_s"] == Approx(0.4));
+    CHECK(report["energy"]["drift_j"].get<double>() == Approx(0).margin(5e-3));  // measured: 3.3e-3 of 1.6 J
+    bool told = false;
+    for (const Json& stage : report["plan"]["left_out"]) told |= stage["stage"] == "pictures";
+    CHECK(told);
+    CHECK_FALSE(std::filesystem::exists(folder.file("out/frame_0001.png")));
+    CHECK_FALSE(std::filesystem::exists(folder.file("out/checkpoint")));
+}
+
+TEST_CASE("a cache holds the start and every frame", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("drop.toml", small_drop());
+    for (const std::string ending : {"pc2", "mdd"}) {
+        REQUIRE(
+            run_drape({"simulate", scene, "--out", folder.file("out"), "--cache", folder.file("c." + ending)})
+                .exit_code == 0);
+        const Cache cache = read_cache(folder.file("c." + ending));
+        REQUIRE(cache.samples.size() == 5);
+        CHECK(cache.samples[0].cols() == 13 * 13);
+        CHECK(cache.samples[0].row(1).maxCoeff() == Approx(0.45));
+        CHECK(cache.samples[4].row(1).minCoeff() < 0.3);
+    }
+    REQUIRE(run_drape({"simulate", scene, "--out", folder.file("out"), "--cache", folder.file("c.obj")})
+                .exit_code == 0);
+    CHECK(std::filesystem::exists(folder.file("c_0004.obj")));
+}
+
+TEST_CASE("the same scene gives the same frames, whatever else is asked", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("drop.toml", small_drop());
+    const auto hashes = [&](const std::string& out, std::vector<std::string> more) {
+        more.insert(more.begin(), {"simulate", scene, "--out", folder.file(out)});
+        REQUIRE(run_drape(more).exit_code == 0);
+        std::vector<std::string> all;
+        const Json report = report_of(folder.file(out));
+        for (const Json& frame : report["frames"]) all.push_back(frame["hash"]);
+        return all;
+    };
+    const auto plain = hashes("a", {});
+    CHECK(plain.size() == 4);
+    CHECK(plain[0] != plain[3]);
+    CHECK(hashes("b", {"--threads", "1", "--cache", folder.file("c.pc2")}) == plain);
+    CHECK(hashes("c", {"--set", "render.ground=false"}) == plain);
+    CHECK(hashes("d", {"--set", "scene.gravity=[0, -9.8, 0]"}) != plain);
+}
+
+TEST_CASE("an interrupted run resumes to the same bits", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("drop.toml", small_drop("3"));
+    REQUIRE(run_drape({"simulate", scene, "--out", folder.file("whole")}).exit_code == 0);
+
+    const std::string out = folder.file("cut");
+    const pid_t child = fork();
+    if (child == 0) {
+        execl(DRAPE_PROGRAM, "drape", "simulate", scene.c_str(), "--out", out.c_str(), "--quiet",
+              static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    while (!std::filesystem::exists(out) && waitpid(child, nullptr, WNOHANG) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    REQUIRE(WIFEXITED(status));
+    REQUIRE(WEXITSTATUS(status) == 130);
+    REQUIRE(std::filesystem::exists(out + "/checkpoint"));
+    const auto done = report_of(out)["frames"].size();
+    CHECK(done < 30);
+
+    const Ran resumed = run_drape({"simulate", scene, "--out", out, "--resume"});
+    CAPTURE(resumed.err);
+    REQUIRE(resumed.exit_code == 0);
+    CHECK(report_of(out)["frames"].back()["hash"] ==
+          report_of(folder.file("whole"))["frames"].back()["hash"]);
+    CHECK_FALSE(std::filesystem::exists(out + "/checkpoint"));
+    // nothing to resume: a fresh run
+    CHECK(run_drape({"simulate", scene, "--out", folder.file("whole"), "--resume"}).exit_code == 0);
+}
+
+TEST_CASE("a step far too long stops with exit 4 and the last good state", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file(
+        "s.toml",
+        "schema = 1\n[scene]\nduration = 1\n[[cloth]]\n"
+        "pattern = { name = \"alternating\", size = [1, 1], divisions = [8, 8] }\nfabric = \"cotton\"\n"
+        "pins = [{ near = [-0.5, 0, -0.5] }]\n");
+    const Ran ran = run_drape({"simulate", scene, "--out", folder.file("out"), "--step", "0.02", "--quiet"});
+    CAPTURE(ran.err);
+    CHECK(ran.exit_code == 4);
+    CHECK(ran.error_lines() == 1);
+    CHECK_THAT(ran.err, Catch::Contains("longest stable"));
+    CHECK(std::filesystem::exists(folder.file("out/checkpoint")));
+}
+
+TEST_CASE("inspect prints plan, mesh, step and a scene that reads back as itself", "[app]") {
+    const TemporaryFolder folder;
+    const Ran ran = run_drape({"inspect", folder.file("drop.toml", small_drop())});
+    REQUIRE(ran.exit_code == 0);
+    for (const char* part :
+         {"vertices            169", "plan", "left out wind", "guaranteed stable", "predicted cost"})
+        CHECK_THAT(ran.out, Catch::Contains(part));
+    const std::string scene = ran.out.substr(ran.out.find("schema = 1"));
+    const Ran again = run_drape({"inspect", folder.file("again.toml", scene)});
+    REQUIRE(again.exit_code == 0);
+    CHECK(again.out.substr(again.out.find("schema = 1")) == scene);
+}
+
+TEST_CASE("mesh writes what inspect reads", "[app]") {
+    const TemporaryFolder folder;
+    for (const std::string ending : {"obj", "ply"}) {
+        const std::string file = folder.file("sheet." + ending);
+        REQUIRE(run_drape({"mesh", "alternating", "-o", file, "--size", "2", "1", "--divisions", "8", "4"})
+                    .exit_code == 0);
+        const Ran ran = run_drape({"inspect", file});
+        CHECK(ran.exit_code == 0);
+        CHECK_THAT(ran.out, Catch::Contains("vertices            45 (45 in the file)") &&
+                                Catch::Contains("size                2 x 0 x 1 m, area 2 m^2"));
+    }
+}
+
+#ifdef DRAPE_WITH_RENDER
+
+TEST_CASE("render leaves a picture per frame, the cloth where the camera sees it", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("drop.toml", small_drop());
+    const Ran ran = run_drape({"render", scene, "--out", folder.file("out"), "--set",
+                               "cloth.0.colour.front=\"#20a030\"", "--frames", "3:4"});
+    CAPTURE(ran.err);
+    REQUIRE(ran.exit_code == 0);
+    CHECK_FALSE(std::filesystem::exists(folder.file("out/frame_0002.png")));
+    const Image picture = read_png(folder.file("out/frame_0004.png"));
+    REQUIRE(picture.width == 160);
+    REQUIRE(picture.height == 90);
+    int green = 0;
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 160; ++x) {
+            const std::uint8_t* p = picture.pixel(x, y);
+            green += p[1] > 1.3 * p[0] && p[1] > 1.3 * p[2];
+        }
+    CHECK(green > 1000);
+    CHECK_FALSE(report_of(folder.file("out"))["machine"]["renderer"].is_null());
+    const std::uint8_t* middle = picture.pixel(80, 40);
+    CHECK((middle[1] > middle[0] && middle[1] > middle[2]));
+
+    REQUIRE(run_drape({"render", scene, "--out", folder.file("again"), "--set",
+                       "cloth.0.colour.front=\"#20a030\"", "--threads", "1"})
+                .exit_code == 0);
+    CHECK(bytes_of(folder.file("again/frame_0004.png")) == bytes_of(folder.file("out/frame_0004.png")));
+}
+
+#else
+
+TEST_CASE("a program without the renderer says so, and still simulates", "[app]") {
+    const TemporaryFolder folder;
+    const Ran ran = run_drape({"render", folder.file("drop.toml", small_drop())}, folder.path());
+    CHECK(ran.exit_code == 2);
+    CHECK_THAT(ran.err, Catch::Contains("built without a renderer"));
+}
+
+#endif
