@@ -13,7 +13,7 @@ const std::string scene = with_cloth("fabric = \"wool\"\n");
 
 }  // namespace
 
-TEST_CASE("--set changes a key that is there and makes one that is not", "[scene]") {
+TEST_CASE("an override by --set changes a key that is there and makes one that is not", "[scene]") {
     CHECK(scene_of(scene, {"cloth.0.fabric=polyester"}).cloths[0].fabric_name == "polyester");
     CHECK(scene_of(scene, {"cloth[0].fabric=\"polyester\""}).cloths[0].fabric_name == "polyester");
     CHECK(scene_of(scene, {"render.overlay=wire"}).look.overlay == "wire");
@@ -28,7 +28,7 @@ TEST_CASE("--set changes a key that is there and makes one that is not", "[scene
     CHECK(scene_of("schema = 1\n", {"cloth=[{ pattern = {} }]"}).cloths.size() == 1);
 }
 
-TEST_CASE("--set that goes wrong says so with its own words as the place", "[scene]") {
+TEST_CASE("an override by --set that goes wrong says so with its own words as the place", "[scene]") {
     CHECK(
         error_of(scene, {"scene.durration=2"}) ==
         "--set scene.durration=2: unknown scene key \"durration\"; did you mean \"duration\"? (known: name, "
@@ -49,7 +49,7 @@ TEST_CASE("--set that goes wrong says so with its own words as the place", "[sce
           "--set cloth.0.fabric={ preset = 1 }: fabric: expected a text, found the integer 1");
 }
 
-TEST_CASE("--set that is no KEY=VALUE is refused", "[scene]") {
+TEST_CASE("an override by --set that is no KEY=VALUE is refused", "[scene]") {
     CHECK(error_of(scene, {"duration"}) == "--set duration: expected KEY=VALUE");
     CHECK(error_of(scene, {"=1"}) == "--set =1: expected KEY=VALUE");
     CHECK(error_of(scene, {"scene..name=x"}).starts_with("--set scene..name=x: an empty part in the key"));
