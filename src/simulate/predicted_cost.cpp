@@ -7,7 +7,8 @@ namespace drape {
 
 namespace {
 
-// Nanoseconds of one core of a 2.5 GHz server processor, fitted to runs of the demo scenes.
+// Nanoseconds of one core, rough values set by hand: ranks scenes, and is good to a factor of about two.
+// Contact is not counted.
 constexpr double per_vertex = 12;        // kick, drift, mass
 constexpr double per_spring = 7;         // edge or bend
 constexpr double per_triangle_one = 14;  // one altitude or the blend
