@@ -36,7 +36,11 @@ void list_methods() {
     for (const Method& method : methods()) {
         row(method.name, method.summary);
         row("", cat("order ", method.order, ", with damping or contact ", method.order_with_damping, "; ",
-                    method.sweeps, method.sweeps == 1 ? " force sweep a step" : " force sweeps a step"));
+                    method.sweeps, method.sweeps == 1 ? " force sweep " : " force sweeps ",
+                    method.is_implicit() ? "a Newton iteration" : "a step"));
+        row("", cat("stable: ", method.limit));
+        row("", cat("keeps: ", method.conserves));
+        row("", cat("not: ", method.avoid));
     }
 }
 

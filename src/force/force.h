@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "cloth/block_matrix.h"
 #include "cloth/model.h"
 #include "force/wind.h"
 
@@ -56,6 +57,22 @@ public:
 
     // adds this force's rows at the pose x; holds for small changes of pose
     virtual void add_bound(In x, StepBound& bound) const = 0;
+
+    // For implicit methods. The defaults are those of a constant force.
+    // Which vertices the two matrices couple, at any pose.
+    virtual void add_couplings(Couplings& couplings) const { static_cast<void>(couplings); }
+    // K += d2E/dx2 [N/m]
+    virtual void add_stiffness(In x, BlockMatrix& k) const {
+        static_cast<void>(x);
+        static_cast<void>(k);
+    }
+    // B += -df/dv, its symmetric part [N s/m]
+    virtual void add_damping(In x, In v, double time, BlockMatrix& b) const {
+        static_cast<void>(x);
+        static_cast<void>(v);
+        static_cast<void>(time);
+        static_cast<void>(b);
+    }
 };
 
 // The world around the cloth.

@@ -2,6 +2,7 @@
 // its line in the README; the tests loop over the table and hold each to the order it states.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -16,25 +17,41 @@ struct Spectrum {
     double gamma = 0;  // [1/s]
 };
 
+// What solving equations cost an implicit method, over all steps so far.
+struct SolverWork {
+    long factorisations = 0;
+    long iterations = 0;  // of Newton's method, or local-global rounds
+};
+
 class Integrator {
 public:
     virtual ~Integrator() = default;
 
     // Enters the method's own variables for steps of h. The state must be at its pins.
     virtual void begin(Dynamics& dynamics, State& state, double h) = 0;
-    virtual void step(Dynamics& dynamics, State& state, double h) = 0;
+    // False where an implicit method found no solution: the state is then of no use, and a shorter step from
+    // the one before may succeed.
+    [[nodiscard]] virtual bool step(Dynamics& dynamics, State& state, double h) = 0;
     // Leaves them: the state is positions and velocities again.
     virtual void end(Dynamics& dynamics, State& state, double h) = 0;
+
+    virtual SolverWork work() const { return {}; }
 };
 
 struct Method {
     std::string_view name;
     std::string_view summary;
-    int order;               // with conservative forces
-    int order_with_damping;  // with damping, contact or anything else that depends on velocity or time
-    int sweeps;              // force evaluations a step
-    double (*longest_step)(const Spectrum&);  // that is stable for every mode within the spectrum [s]
+    std::string_view limit;      // its stability limit, in words
+    std::string_view conserves;  // what it keeps where the physics does
+    std::string_view avoid;      // when not to use it
+    int order;                   // with conservative forces
+    int order_with_damping;      // with damping, contact or anything else that depends on velocity or time
+    int sweeps;                  // force evaluations a step; for implicit methods, a Newton iteration
+    // that is stable for every mode within the spectrum [s]; infinite if every step is
+    double (*longest_step)(const Spectrum&);
     std::unique_ptr<Integrator> (*make)();
+
+    bool is_implicit() const { return longest_step({1, 0}) == INFINITY; }
 };
 
 std::span<const Method> methods();

@@ -13,11 +13,12 @@ public:
     void begin(Dynamics& dynamics, State& state, double) override {
         dynamics.acceleration(state.x, state.v, state.time, a_);
     }
-    void step(Dynamics& dynamics, State& state, double h) override {
+    bool step(Dynamics& dynamics, State& state, double h) override {
         dynamics.book(h);
         kick(dynamics, state, a_, h);
         drift(dynamics, state, h);
         dynamics.acceleration(state.x, state.v, state.time, a_);
+        return true;
     }
     void end(Dynamics&, State&, double) override {}
 

@@ -29,7 +29,7 @@ public:
         if (dynamics.is_conservative()) process(dynamics, state, h);
         shifted_acceleration(dynamics, state, state.v, h);
     }
-    void step(Dynamics& dynamics, State& state, double h) override {
+    bool step(Dynamics& dynamics, State& state, double h) override {
         dynamics.book(h / 2);
         kick(dynamics, state, a_, h / 2);
         drift(dynamics, state, h);
@@ -37,6 +37,7 @@ public:
         shifted_acceleration(dynamics, state, ahead_, h);
         dynamics.book(h / 2);
         kick(dynamics, state, a_, h / 2);
+        return true;
     }
     void end(Dynamics& dynamics, State& state, double h) override {
         if (dynamics.is_conservative()) unprocess(dynamics, state, h);

@@ -20,7 +20,7 @@ public:
     void begin(Dynamics& dynamics, State& state, double) override {
         dynamics.acceleration(state.x, state.v, state.time, a_);
     }
-    void step(Dynamics& dynamics, State& state, double h) override {
+    bool step(Dynamics& dynamics, State& state, double h) override {
         dynamics.book(h / 2);
         kick(dynamics, state, a_, h / 2);
         drift(dynamics, state, h);
@@ -32,6 +32,7 @@ public:
         }
         dynamics.book(h / 2);
         kick(dynamics, state, a_, h / 2);
+        return true;
     }
     void end(Dynamics&, State&, double) override {}
 

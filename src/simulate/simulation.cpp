@@ -12,9 +12,10 @@ namespace drape {
 
 namespace {
 
-constexpr double margin = 0.95;          // of the longest stable step that is used
-constexpr double measured_excess = 1.1;  // a measured fastest mode is taken to be this much faster
-constexpr int most_halvings = 30;        // of a step that crossed into an obstacle
+constexpr double margin = 0.95;                 // of the longest stable step that is used
+constexpr double measured_excess = 1.1;         // a measured fastest mode is taken to be this much faster
+constexpr double usual_implicit_step = 0.0025;  // where nothing asks for another [s]
+constexpr int most_halvings = 30;               // of a step that crossed into an obstacle or was not solved
 
 std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
     return model.cloths.size() > 1 ? cat(stage, " (cloth ", cloth + 1, ")") : std::string(stage);
@@ -86,7 +87,9 @@ void Simulation::choose_step() {
     spectrum_.omega = std::min(spectrum_.omega, measured_excess * measured_omega(*dynamics_, state_.x));
     longest_ = method_->longest_step(spectrum_);
     const double frame_time = 1 / setup_.frame_rate;
-    const double wanted = setup_.step ? *setup_.step : margin * longest_;
+    const double wanted = setup_.step              ? *setup_.step
+                          : method_->is_implicit() ? usual_implicit_step
+                                                   : margin * longest_;
     step_ = std::isfinite(wanted) && wanted > 0 ? frame_time / std::ceil(frame_time / wanted * (1 - 1e-12))
                                                 : frame_time;
 }
@@ -97,19 +100,17 @@ Energies Simulation::energies() const {
 
 double Simulation::guarded_step(double h, FrameReport& report) {
     Contact* contact = dynamics_->contact();
-    if (!contact) {
-        integrator_->step(*dynamics_, state_, h);
-        return h;
-    }
+    // nothing to guard against: an explicit step without contact always arrives
+    if (!contact && !method_->is_implicit()) return integrator_->step(*dynamics_, state_, h) ? h : 0;
     // for the longest step: a point too far to be listed would not have shortened it, whenever the list was
     // made
-    contact->prepare(state_, step_);
+    if (contact) contact->prepare(state_, step_);
     before_ = state_;
     const EnergyFlow flow = dynamics_->flow();
     for (int halving = 0; halving <= most_halvings; ++halving, h /= 2) {
-        integrator_->step(*dynamics_, state_, h);
+        const bool solved = integrator_->step(*dynamics_, state_, h);
         const ObstacleContact::Result& touch = dynamics_->touch();
-        if (!touch.crossed) {
+        if (solved && !touch.crossed) {
             report.contacts = std::max(report.contacts, touch.contacts);
             if (touch.contacts > 0)
                 report.least_distance = std::min(report.least_distance, touch.least_distance);
@@ -152,8 +153,11 @@ FrameReport Simulation::advance() {
 
     const bool finite = state_.x.allFinite() && state_.v.allFinite();
     if (h == 0)
-        report.trouble = cat("cloth was pushed into an obstacle at t = ", state_.time,
-                             " s and no step, however short, keeps it out");
+        report.trouble =
+            dynamics_->touch().crossed
+                ? cat("cloth was pushed into an obstacle at t = ", state_.time,
+                      " s and no step, however short, keeps it out")
+                : cat("no step from t = ", state_.time, " s, however short, could be solved for");
     else if (!finite || !(state_.v.cwiseAbs().maxCoeff() < 1e9))
         report.trouble = cat("velocities left all bounds before t = ", end_time, " s with steps of ", step_,
                              " s (the longest stable one is ", longest_, " s)");

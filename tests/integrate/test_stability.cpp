@@ -20,7 +20,7 @@ double farthest(const Method& method, const Spectrum& mode, double h, int steps)
     integrator->begin(oscillator.dynamics(), state, h);
     double most = 0;
     for (int i = 0; i < steps && most < 1e6; ++i) {
-        integrator->step(oscillator.dynamics(), state, h);
+        REQUIRE(integrator->step(oscillator.dynamics(), state, h));
         most = std::max(most, std::abs(state.x(0, 1)));
     }
     return most;
@@ -32,6 +32,7 @@ TEST_CASE("without damping every method is stable just below its longest step an
           "[integrate]") {
     const Spectrum fastest{3.7, 0};
     for (const Method& method : methods()) {
+        if (method.is_implicit()) continue;
         CAPTURE(method.name);
         const double h = method.longest_step(fastest);
         CHECK(farthest(method, fastest, 0.999 * h, 20000) < 40);  // measured 21
@@ -44,7 +45,7 @@ TEST_CASE("every mode within the spectrum is stable at the longest step, however
     for (const Method& method : methods()) {
         for (const double ratio : {0.003, 0.03, 0.1, 0.3, 1.0, 3.0, 30.0}) {
             const Spectrum spectrum{omega, 2 * ratio * omega};
-            const double h = method.longest_step(spectrum);
+            const double h = method.is_implicit() ? 1 / omega : method.longest_step(spectrum);
             for (const double slower : {0.01, 0.3, 0.6, 0.8, 1.0}) {
                 for (const double less : {0.0, 0.1, 0.5, 1.0}) {
                     CAPTURE(method.name, ratio, slower, less);
@@ -84,7 +85,7 @@ TEST_CASE("every method keeps the energy of an undamped spring over 1000 periods
         integrator->begin(spring.dynamics(), state, h);
         double early = 0, late = 0;
         for (int i = 1; i <= 20000; ++i) {
-            integrator->step(spring.dynamics(), state, h);
+            REQUIRE(integrator->step(spring.dynamics(), state, h));
             State out = state;
             integrator->end(spring.dynamics(), out, h);
             const double error = std::abs(spring.energy(out) / start - 1);

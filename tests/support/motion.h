@@ -1,6 +1,7 @@
 // Something to integrate: the linear oscillator, and a cloth with every force of its scene.
 #pragma once
 
+#include "base/error.h"
 #include "force/edge_spring.h"
 #include "integrate/method.h"
 #include "support/cloths.h"
@@ -57,7 +58,8 @@ inline State integrated(const Method& method, Dynamics& dynamics, State state, d
     const double h = (end - state.time) / steps;
     const auto integrator = method.make();
     integrator->begin(dynamics, state, h);
-    for (int i = 0; i < steps; ++i) integrator->step(dynamics, state, h);
+    for (int i = 0; i < steps; ++i)
+        if (!integrator->step(dynamics, state, h)) throw Error(cat(method.name, ": a step failed"));
     integrator->end(dynamics, state, h);
     return state;
 }
