@@ -52,6 +52,15 @@ void add_run_options(CLI::App& verb, const std::shared_ptr<RunOptions>& run) {
             [run](const std::string& text) { run->step = positive_number(text, "--step", "seconds over 0"); },
             "the step in seconds (default: the longest stable one, less a margin)")
         ->type_name("S");
+    verb.add_option_function<std::string>(
+            "--tolerance",
+            [run](const std::string& text) {
+                run->tolerance = positive_number(text, "--tolerance", "metres over 0");
+            },
+            "run until every frame's RMS error is below this many metres")
+        ->type_name("M");
+    verb.add_flag("--strict", run->strict, "exit with 4 where the tolerance is not reached");
+    verb.add_flag("!--no-estimate", run->estimate, "leave out the second pass that tells the error");
     verb.add_option("--threads", run->threads, "how many threads (default: one per core)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));

@@ -13,8 +13,11 @@ struct RunOptions {
     std::string out;               // "" = renders/<scene file's stem>
     std::vector<std::string> set;  // KEY=VALUE
     std::optional<std::string> method;
-    std::optional<double> step;  // [s]
-    int threads = 0;             // 0 = as many as there are cores
+    std::optional<double> step;       // [s]
+    std::optional<double> tolerance;  // [m]
+    bool strict = false;              // exit 4 where the tolerance is not reached
+    bool estimate = true;             // of the error, where no tolerance is asked
+    int threads = 0;                  // 0 = as many as there are cores
     bool quiet = false;
     bool resume = false;
     bool pictures = true;                      // render; simulate makes none

@@ -66,17 +66,16 @@ std::vector<DrawnSolid> solids_of(const SceneDescription& scene, const Simulatio
     return solids;
 }
 
-Segments springs_of(const Simulation& simulation) {
+Segments springs_of(const Model& model, In x) {
     Segments segments;
     size_t count = 0;
-    for (const Cloth& cloth : simulation.model().cloths)
-        count += cloth.network.edges.size() + cloth.network.bends.size();
+    for (const Cloth& cloth : model.cloths) count += cloth.network.edges.size() + cloth.network.bends.size();
     segments.ends.resize(3, static_cast<Eigen::Index>(2 * count));
-    for (const Cloth& cloth : simulation.model().cloths) {
+    for (const Cloth& cloth : model.cloths) {
         for (const auto* springs : {&cloth.network.edges, &cloth.network.bends}) {
             for (const Spring& spring : *springs) {
-                const Vec3 a = simulation.state().x.col(cloth.first + spring.a);
-                const Vec3 b = simulation.state().x.col(cloth.first + spring.b);
+                const Vec3 a = x.col(cloth.first + spring.a);
+                const Vec3 b = x.col(cloth.first + spring.b);
                 const auto s = static_cast<Eigen::Index>(segments.colour.size());
                 segments.ends.col(2 * s) = a;
                 segments.ends.col(2 * s + 1) = b;
@@ -94,16 +93,17 @@ PictureMaker::PictureMaker(const SceneDescription& scene, const Simulation& simu
     : overlay_(find_named(overlays, "overlay", scene.look.overlay).overlay),
       renderer_(settings_of(scene, simulation), cloths_of(scene, simulation), solids_of(scene, simulation)) {}
 
-Image PictureMaker::draw(const Simulation& simulation) {
+Image PictureMaker::draw(const Delivery& delivery) {
     FrameInput frame;
-    const State& state = simulation.state();
+    const Simulation& simulation = delivery.simulation();
+    const State& state = delivery.state();
     for (const Cloth& cloth : simulation.model().cloths) {
         frame.cloth.emplace_back(state.x.middleCols(cloth.first, cloth.vertices()));
         if (overlay_ == Overlay::strain) frame.strain.push_back(vertex_strain(cloth, state.x));
     }
     for (const Obstacle& obstacle : simulation.obstacles())
         frame.solid.push_back(obstacle.motion.at(state.time).pose);
-    if (overlay_ == Overlay::springs) frame.segments = springs_of(simulation);
+    if (overlay_ == Overlay::springs) frame.segments = springs_of(simulation.model(), state.x);
     return renderer_.draw(frame);
 }
 

@@ -6,7 +6,7 @@
 #include "base/image.h"
 #include "render/renderer.h"
 #include "scene/description.h"
-#include "simulate/simulation.h"
+#include "simulate/delivery.h"
 
 namespace drape {
 
@@ -14,7 +14,7 @@ class PictureMaker {
 public:
     PictureMaker(const SceneDescription& scene, const Simulation& simulation);
 
-    Image draw(const Simulation& simulation);
+    Image draw(const Delivery& delivery);  // its last frame
     std::string renderer() const { return renderer_.description(); }
 
 private:

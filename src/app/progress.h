@@ -1,7 +1,10 @@
 // How far a run is: a bar on a terminal, at most a line per frame elsewhere, nothing when quiet.
 #pragma once
 
+#include <string>
+
 #include "base/timer.h"
+#include "simulate/delivery.h"
 
 namespace drape {
 
@@ -12,9 +15,11 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void frame_done(int frame, double simulated_time, long steps);
+    void frame_done(const FrameReport& frame);
+    void pass_frame_done(const PassProgress& pass);  // a frame of a pass that is not delivered
 
 private:
+    void draw_bar(int frame, const std::string& says);
     int first_, frames_;
     bool quiet_, terminal_, drawn_ = false;
     WallTimer timer_;

@@ -37,7 +37,17 @@ SceneDescription described(const RunOptions& options) {
     if (options.size) scene.look.size = *options.size;
     if (options.method) scene.accuracy.method = *options.method;
     if (options.step) scene.accuracy.step = options.step;
+    if (options.tolerance) scene.accuracy.tolerance = options.tolerance;
+    if (options.step && options.tolerance)
+        throw Error("--tolerance chooses the step by itself (leave out --step, or --tolerance)");
+    if (options.step) scene.accuracy.tolerance.reset();  // the command line has the last word
+    if (options.tolerance) scene.accuracy.step.reset();
     return scene;
+}
+
+int threads_of(const RunOptions& options) {
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    return options.threads > 0 ? options.threads : static_cast<int>(cores);
 }
 
 // One run from scene to report, step by step.
@@ -47,6 +57,8 @@ public:
     Exit go();
 
 private:
+    void deliver(const FrameReport& frame);
+    bool keep_going(double& unsaved);
     void prepare_folder();
     void prepare_cache();
     void resume();
@@ -62,7 +74,7 @@ private:
     std::uint64_t scene_hash_ = 0;
     std::string out_;
     std::array<int, 2> drawn_{};  // first and last frame to draw
-    std::unique_ptr<Simulation> simulation_;
+    std::unique_ptr<Delivery> delivery_;
     std::vector<std::unique_ptr<CacheWriter>> caches_;
 #ifdef DRAPE_WITH_RENDER
     std::unique_ptr<PictureMaker> pictures_;
@@ -83,14 +95,16 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described(option
         Built built = build_scene(scene_);
         report_.times.load = built.load_seconds;
         report_.notes = built.notes;
-        simulation_ = std::make_unique<Simulation>(std::move(built.setup));
+        delivery_ = make_delivery(std::move(built.setup), {scene_.accuracy.tolerance, options.estimate,
+                                                           threads_of(options), drawn_[1]});
     }
     report_.times.build -= report_.times.load;
-    if (simulation_->lifted() > 0)
+    const Simulation& simulation = delivery_->simulation();
+    if (simulation.lifted() > 0)
         report_.notes.push_back(cat("cloth started within an obstacle's contact thickness: moved out by ",
-                                    simulation_->lifted(), " m"));
-    report_.plan = simulation_->plan();
-    report_.start = simulation_->energies();
+                                    simulation.lifted(), " m"));
+    report_.plan = simulation.plan();
+    report_.start = simulation.energies();
     add_output_stages();
     prepare_folder();
     if (options.resume) resume();
@@ -121,14 +135,14 @@ void Run::prepare_folder() {
 
 void Run::prepare_cache() {
     if (options_.cache.empty()) return;
-    const std::vector<Cloth>& cloths = simulation_->model().cloths;
+    const std::vector<Cloth>& cloths = delivery_->simulation().model().cloths;
     for (size_t c = 0; c < cloths.size(); ++c) {
         fs::path path(options_.cache);
         if (cloths.size() > 1)
             path.replace_filename(cat(path.stem().string(), "_cloth", c + 1, path.extension().string()));
         if (path.has_parent_path()) make_folder(path.parent_path().string());
         caches_.push_back(make_cache_writer(path.string(), cloths[c].mesh, scene_.frame_rate, drawn_[1] + 1));
-        caches_.back()->add(simulation_->state().x.middleCols(cloths[c].first, cloths[c].vertices()));
+        caches_.back()->add(delivery_->state().x.middleCols(cloths[c].first, cloths[c].vertices()));
     }
 }
 
@@ -143,9 +157,10 @@ void Run::resume() {
     if (!options_.cache.empty())
         throw Error(
             "--resume cannot go on with a --cache: earlier frames' positions are gone (leave one out)");
-    simulation_->resume(found->frame, found->state, found->flow);
+    if (!delivery_->restore(found->passes))
+        throw Error(path + ": is of a run with another tolerance (remove it to start fresh)");
     report_.start = {0, found->start_energy};
-    report_.notes.push_back(cat("resumed after frame ", found->frame));
+    report_.notes.push_back(cat("resumed after frame ", delivery_->frame()));
 }
 
 void Run::draw_frame([[maybe_unused]] int frame) {
@@ -154,8 +169,8 @@ void Run::draw_frame([[maybe_unused]] int frame) {
     Image image;
     {
         const CpuScope timer(report_.times.render);
-        if (!pictures_) pictures_ = std::make_unique<PictureMaker>(scene_, *simulation_);
-        image = pictures_->draw(*simulation_);
+        if (!pictures_) pictures_ = std::make_unique<PictureMaker>(scene_, delivery_->simulation());
+        image = pictures_->draw(*delivery_);
     }
     std::vector<std::uint8_t> png;
     {
@@ -172,20 +187,22 @@ void Run::draw_frame([[maybe_unused]] int frame) {
 void Run::save_checkpoint() {
     const CpuScope timer(report_.times.write);
     write_file(out_ + "/checkpoint",
-               checkpoint_bytes({scene_hash_, simulation_->frame(), simulation_->state(), simulation_->flow(),
-                                 report_.start.total()}));
+               checkpoint_bytes({scene_hash_, report_.start.total(), delivery_->save()}));
 }
 
 void Run::finish(bool complete) {
     for (const auto& cache : caches_) cache->finish();
-    report_.method = &simulation_->method();
-    report_.chosen_because = simulation_->chosen_because();
-    report_.step = simulation_->step();
-    report_.longest_step = simulation_->longest_step();
-    report_.guaranteed_step = simulation_->guaranteed_step();
-    report_.end = simulation_->energies();
-    report_.flow = simulation_->flow();
-    report_.times.contact = simulation_->dynamics().contact_seconds();
+    const Simulation& simulation = delivery_->simulation();
+    report_.method = &simulation.method();
+    report_.chosen_because = simulation.chosen_because();
+    report_.step = simulation.step();
+    report_.longest_step = simulation.longest_step();
+    report_.guaranteed_step = simulation.guaranteed_step();
+    report_.error = delivery_->error();
+    report_.end = simulation.energies();
+    report_.flow = simulation.flow();
+    report_.times.contact = simulation.contact_seconds();
+    report_.times.error = report_.error.seconds;
     report_.times.total = process_cpu_seconds();
     report_.times.wall = wall_.seconds();
 #ifdef DRAPE_WITH_RENDER
@@ -203,51 +220,66 @@ void Run::finish(bool complete) {
     }
 }
 
+// What is due after a frame of work: a checkpoint, or the end because the user asked for it.
+bool Run::keep_going(double& unsaved) {
+    if (interrupted() && delivery_->frame() < drawn_[1]) {
+        save_checkpoint();
+        return false;
+    }
+    if (unsaved > 5) {
+        save_checkpoint();
+        unsaved = 0;
+    }
+    return true;
+}
+
+void Run::deliver(const FrameReport& frame) {
+    if (!frame.trouble.empty()) {
+        save_checkpoint();
+        finish(false);
+        throw Error(cat(options_.scene, ": frame ", frame.index, ": ", frame.trouble), Exit::went_wrong);
+    }
+    report_.times.simulate += frame.cpu_seconds;
+    report_.frames.push_back(frame);
+    draw_frame(frame.index);
+    for (size_t c = 0; c < caches_.size(); ++c) {
+        const Cloth& cloth = delivery_->simulation().model().cloths[c];
+        caches_[c]->add(delivery_->state().x.middleCols(cloth.first, cloth.vertices()));
+    }
+}
+
 Exit Run::go() {
     catch_interrupts();
 #ifdef DRAPE_WITH_RENDER
     // the room the cloth moves in is judged from its start
-    if (options_.pictures && simulation_->frame() == 0) {
+    if (options_.pictures && delivery_->frame() == 0) {
         const CpuScope timer(report_.times.render);
-        pictures_ = std::make_unique<PictureMaker>(scene_, *simulation_);
+        pictures_ = std::make_unique<PictureMaker>(scene_, delivery_->simulation());
     }
 #endif
     double unsaved = 0;  // CPU seconds since the last checkpoint
     {
-        Progress progress(simulation_->frame() + 1, drawn_[1], options_.quiet);
-        while (simulation_->frame() < drawn_[1]) {
+        Progress progress(delivery_->frame() + 1, drawn_[1], options_.quiet);
+        while (delivery_->frame() < drawn_[1]) {
             const double before = process_cpu_seconds();
-            FrameReport frame;
-            {
-                const CpuScope timer(report_.times.simulate);
-                frame = simulation_->advance();
+            if (const std::optional<FrameReport> frame = delivery_->advance()) {
+                deliver(*frame);
+                progress.frame_done(*frame);
+            } else {
+                progress.pass_frame_done(delivery_->progress());
             }
-            if (!frame.trouble.empty()) {
-                save_checkpoint();
-                finish(false);
-                throw Error(cat(options_.scene, ": frame ", frame.index, ": ", frame.trouble),
-                            Exit::went_wrong);
-            }
-            report_.frames.push_back(frame);
-            draw_frame(frame.index);
-            for (size_t c = 0; c < caches_.size(); ++c) {
-                const Cloth& cloth = simulation_->model().cloths[c];
-                caches_[c]->add(simulation_->state().x.middleCols(cloth.first, cloth.vertices()));
-            }
-            progress.frame_done(frame.index, frame.time, frame.steps);
             unsaved += process_cpu_seconds() - before;
-            if (interrupted() && simulation_->frame() < drawn_[1]) {
-                save_checkpoint();
+            if (!keep_going(unsaved)) {
                 finish(false);
                 return Exit::interrupted;
-            }
-            if (unsaved > 5) {
-                save_checkpoint();
-                unsaved = 0;
             }
         }
     }
     finish(true);
+    if (options_.strict && !report_.error.met())
+        throw Error(cat(options_.scene, ": the tolerance of ", *report_.error.asked,
+                        " m was not reached in every frame (--strict)"),
+                    Exit::went_wrong);
     return Exit::done;
 }
 
@@ -260,8 +292,7 @@ Exit run_scene(const RunOptions& options) {
             "this drape was built without a renderer (use `drape simulate`, or build with DRAPE_RENDER=ON)");
 #endif
     // Mesa's rasteriser reads its number of threads from the environment
-    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-    const unsigned threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
+    const int threads = threads_of(options);
     setenv("LP_NUM_THREADS", std::to_string(threads == 1 ? 0 : threads).c_str(), 1);
     return Run(options).go();
 }

@@ -24,17 +24,27 @@ inline double process_cpu_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+// CPU time of the calling thread [s].
+inline double thread_cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 // Adds the CPU seconds between construction and destruction to `total`.
-class CpuScope {
+template <double (*clock)()>
+class Stopwatch {
 public:
-    explicit CpuScope(double& total) : total_(total), start_(process_cpu_seconds()) {}
-    ~CpuScope() { total_ += process_cpu_seconds() - start_; }
-    CpuScope(const CpuScope&) = delete;
-    CpuScope& operator=(const CpuScope&) = delete;
+    explicit Stopwatch(double& total) : total_(total), start_(clock()) {}
+    ~Stopwatch() { total_ += clock() - start_; }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
 
 private:
     double& total_;
     double start_;
 };
+using CpuScope = Stopwatch<process_cpu_seconds>;       // of all threads
+using ThreadCpuScope = Stopwatch<thread_cpu_seconds>;  // of this thread alone
 
 }  // namespace drape

@@ -41,7 +41,7 @@ void Dynamics::acceleration_without_contact(In x, Points& a) {
 void Dynamics::conservative_acceleration(In x, double time, Points& a) {
     sum_conservative(x, a);
     if (contact_) {
-        const CpuScope timer(contact_seconds_);
+        const ThreadCpuScope timer(contact_seconds_);
         contact_->add_conservative(x, time, a);
     }
     to_acceleration(a);
@@ -56,7 +56,7 @@ void Dynamics::acceleration(In x, In v, double time, Points& a) {
         ++active.calls;
     }
     if (contact_) {
-        const CpuScope timer(contact_seconds_);
+        const ThreadCpuScope timer(contact_seconds_);
         touch_ = contact_->add_all(x, v, time, a);
         power_ += {touch_.dissipated, touch_.driven};
     }
@@ -67,7 +67,7 @@ void Dynamics::acceleration(In x, In v, double time, Points& a) {
 
 void Dynamics::rub(State& state, double h) {
     if (!contact_) return;
-    const CpuScope timer(contact_seconds_);
+    const ThreadCpuScope timer(contact_seconds_);
     const ContactWork work = contact_->rub(state.v, h);
     flow_.dissipated += work.dissipated;
     flow_.driven += work.driven;

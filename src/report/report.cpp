@@ -45,7 +45,8 @@ Json frame_json(const FrameReport& frame) {
     return {{"index", frame.index},
             {"time_s", frame.time},
             {"hash", frame.hash},
-            {"error_m", nullptr},
+            {"error_m", known(frame.error_rms)},
+            {"error_max_m", known(frame.error_max)},
             {"steps", frame.steps},
             {"shortest_step_s", frame.shortest_step},
             {"contacts", frame.contacts},
@@ -54,9 +55,52 @@ Json frame_json(const FrameReport& frame) {
             {"fastest_m_per_s", frame.fastest}};
 }
 
+Json error_json(const ErrorAccount& error) {
+    Json passes = Json::array();
+    for (const PassRecord& pass : error.passes)
+        passes.push_back({{"method", pass.method},
+                          {"purpose", pass.purpose},
+                          {"step_s", pass.step},
+                          {"steps", pass.steps},
+                          {"sweeps", pass.sweeps},
+                          {"estimated_rms_m", known(pass.error_rms)},
+                          {"cpu_s", pass.cpu_seconds}});
+    return {{"asked_m", error.asked ? Json(*error.asked) : Json(nullptr)},
+            {"estimated_rms_m", known(error.rms)},
+            {"estimated_max_m", known(error.max)},
+            {"predictability_floor_m", known(error.floor)},
+            {"below_floor_from_s", known(error.floor_from)},
+            {"reached", error.asked ? Json(error.reached) : Json(nullptr)},
+            {"how", error.how},
+            {"passes", passes}};
+}
+
 std::string number(const char* format, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string millimetres(double metres) {
+    return cat(number("%.3g", metres * 1e3), " mm");
+}
+
+std::string error_summary(const ErrorAccount& error) {
+    std::string text = "  time-step error ";
+    if (std::isfinite(error.rms))
+        text += cat(millimetres(error.rms), " RMS, ", millimetres(error.max), " at most, in the worst frame");
+    else
+        text += "not known";
+    if (error.asked) text += cat(" (asked: ", millimetres(*error.asked), ")");
+    text += cat("; ", number("%.1f", error.seconds), " CPU s on it\n    by ", error.how, "\n");
+    if (std::isfinite(error.floor))
+        text += cat("  predictability floor ", millimetres(error.floor),
+                    ": a start moved by 1e-12 m ends that far away\n");
+    if (std::isfinite(error.floor_from))
+        text +=
+            cat("    from t = ", number("%.4g", error.floor_from),
+                " s on, what was asked lies below the floor: those frames are the best that can be done\n");
+    if (!error.reached) text += "  the tolerance was not reached\n";
     return text;
 }
 
@@ -103,11 +147,7 @@ std::string report_json(const RunReport& r) {
                       {"margin", known(r.longest_step / r.step)},
                       {"guaranteed_step_s", known(r.guaranteed_step)},
                       {"chosen_because", r.chosen_because}};
-    json["error"] = {{"asked_m", nullptr},
-                     {"estimated_rms_m", nullptr},
-                     {"estimated_max_m", nullptr},
-                     {"predictability_floor_m", nullptr},
-                     {"how", "not estimated"}};
+    json["error"] = error_json(r.error);
     const StageTimes& t = r.times;
     json["time"] = {{"total_s", t.total},       {"load_s", t.load},       {"build_s", t.build},
                     {"simulate_s", t.simulate}, {"contact_s", t.contact}, {"error_s", t.error},
@@ -146,9 +186,8 @@ std::string report_summary(const RunReport& r) {
         text += cat("  contact: at most ", r.contacts_max(), " points, never nearer than ",
                     number("%.3g", r.least_distance() * 1e3), " mm to an obstacle\n");
     if (!r.frames.empty())
-        text += cat("  largest strain at the end ", number("%.2f", 100 * r.frames.back().strain),
-                    " %; time-step error: not estimated\n");
-    return text;
+        text += cat("  largest strain at the end ", number("%.2f", 100 * r.frames.back().strain), " %\n");
+    return text + error_summary(r.error);
 }
 
 }  // namespace drape

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/plan.h"
-#include "simulate/simulation.h"
+#include "simulate/delivery.h"
 
 namespace drape {
 
@@ -23,6 +23,7 @@ struct RunReport {
     std::string chosen_because;
     double step = 0, longest_step = 0, guaranteed_step = 0;  // [s]
     StageTimes times;
+    ErrorAccount error;
     Energies start, end;
     EnergyFlow flow;
     Plan plan;

@@ -84,8 +84,9 @@ struct LookDescription {  // the [render] table
 };
 
 struct AccuracyDescription {
-    std::string method = "auto";  // auto: drape chooses
-    std::optional<double> step;   // [s]; none: drape chooses
+    std::string method = "auto";      // auto: drape chooses
+    std::optional<double> step;       // [s]; none: drape chooses
+    std::optional<double> tolerance;  // of the worst frame's RMS error [m]; none: no promise
     Place place;
 };
 

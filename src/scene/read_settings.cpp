@@ -20,10 +20,9 @@ constexpr std::array<std::string_view, 10> contract_methods{
 
 AccuracyDescription read_accuracy(const Value& value) {
     const Keys keys(value, "accuracy", {"method", "step", "tolerance", "budget"});
-    for (const std::string_view later : {"tolerance", "budget"})
-        if (const Value* given = keys.find(later))
-            fail(given->key_place, later,
-                 ": this version of drape cannot do it yet (method and step, or nothing)");
+    if (const Value* given = keys.find("budget"))
+        fail(given->key_place,
+             "budget: this version of drape cannot do it yet (tolerance, or method and step)");
     AccuracyDescription accuracy;
     accuracy.place = keys.place();
     if (const Value* method = keys.find("method")) {
@@ -40,6 +39,11 @@ AccuracyDescription read_accuracy(const Value& value) {
         accuracy.place = method->place;
     }
     if (const Value* step = keys.find("step")) accuracy.step = as_number(*step, "step", positive("s"));
+    if (const Value* tolerance = keys.find("tolerance")) {
+        accuracy.tolerance = as_number(*tolerance, "tolerance", positive("m"));
+        if (accuracy.step)
+            fail(tolerance->key_place, "tolerance chooses the step by itself (leave out step, or tolerance)");
+    }
     return accuracy;
 }
 

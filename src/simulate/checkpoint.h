@@ -5,18 +5,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
-
-#include "simulate/simulation.h"
 
 namespace drape {
 
 struct Checkpoint {
     std::uint64_t scene_hash = 0;  // of the effective scene: another scene's checkpoint is no start
-    int frame = 0;
-    State state;
-    EnergyFlow flow;
-    double start_energy = 0;  // [J]
+    double start_energy = 0;       // [J]
+    std::string passes;            // what Delivery::save() gave
 };
 
 std::string checkpoint_bytes(const Checkpoint& checkpoint);

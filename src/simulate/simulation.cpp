@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/timer.h"
 #include "simulate/reach.h"
 #include "simulate/strain.h"
 
@@ -12,7 +13,8 @@ namespace drape {
 
 namespace {
 
-constexpr double margin = 0.95;                 // of the longest stable step that is used
+constexpr double margin = 0.85;                 // of the longest stable step that is used
+constexpr double widest_margin = 0.98;          // ... by a pass that is there to be coarser
 constexpr double measured_excess = 1.1;         // a measured fastest mode is taken to be this much faster
 constexpr double usual_implicit_step = 0.0025;  // where nothing asks for another [s]
 constexpr int most_halvings = 30;               // of a step that crossed into an obstacle or was not solved
@@ -86,12 +88,30 @@ void Simulation::choose_step() {
     guaranteed_ = method_->longest_step(spectrum_);
     spectrum_.omega = std::min(spectrum_.omega, measured_excess * measured_omega(*dynamics_, state_.x));
     longest_ = method_->longest_step(spectrum_);
+    const double usual = method_->is_implicit() ? usual_implicit_step : margin * longest_;
+    step_ = 1 / setup_.frame_rate / steps_a_frame(setup_.step.value_or(usual));
+    pace_ = step_ / usual;
+}
+
+double Simulation::steps_a_frame(double wanted) const {
     const double frame_time = 1 / setup_.frame_rate;
-    const double wanted = setup_.step              ? *setup_.step
-                          : method_->is_implicit() ? usual_implicit_step
-                                                   : margin * longest_;
-    step_ = std::isfinite(wanted) && wanted > 0 ? frame_time / std::ceil(frame_time / wanted * (1 - 1e-12))
-                                                : frame_time;
+    const double steps = wanted < frame_time ? std::ceil(frame_time / wanted * (1 - 1e-12)) : 1;
+    if (setup_.refine == 1) return steps;
+    const double other = std::ceil(steps * setup_.refine * (1 - 1e-12));
+    if (setup_.refine > 1) return std::max(other, steps + 1);
+    const double fewer = std::min(other, steps - 1);
+    const bool stable = fewer > 0 && frame_time / fewer <= std::max(widest_margin * longest_, wanted);
+    return stable ? fewer : steps + std::ceil(steps / 10);
+}
+
+double Simulation::allowed_step() const {
+    if (!dynamics_->contact()) return step_;
+    const ContactLimits& limits = dynamics_->touch().limits;
+    double allowed = std::min(step_, pace_ * margin * method_->longest_step(with_contact(spectrum_, limits)));
+    // implicit steps find their own way up to the barrier
+    if (limits.closing_rate > 0 && !method_->is_implicit())
+        allowed = std::min(allowed, std::min(pace_, 1.0) / limits.closing_rate);
+    return allowed;
 }
 
 Energies Simulation::energies() const {
@@ -124,6 +144,13 @@ double Simulation::guarded_step(double h, FrameReport& report) {
 }
 
 FrameReport Simulation::advance() {
+    const double began = thread_cpu_seconds();
+    FrameReport report = next_frame();
+    report.cpu_seconds = thread_cpu_seconds() - began;
+    return report;
+}
+
+FrameReport Simulation::next_frame() {
     FrameReport report;
     report.index = frame_ + 1;
     report.least_distance = INFINITY;
@@ -137,13 +164,7 @@ FrameReport Simulation::advance() {
     report.shortest_step = step_;
     double h = step_;
     for (double left = end_time - state_.time; left > 1e-12 * end_time; left = end_time - state_.time) {
-        double allowed = step_;
-        if (dynamics_->contact()) {
-            const ContactLimits& limits = dynamics_->touch().limits;
-            allowed = std::min(allowed, margin * method_->longest_step(with_contact(spectrum_, limits)));
-            if (limits.closing_rate > 0) allowed = std::min(allowed, 1 / limits.closing_rate);
-        }
-        const double wanted = left / std::ceil(left / allowed * (1 - 1e-12));
+        const double wanted = left / std::ceil(left / allowed_step() * (1 - 1e-12));
         h = guarded_step(wanted, report);
         ++report.steps;
         report.shortest_step = std::min(report.shortest_step, h);
@@ -182,10 +203,29 @@ FrameReport Simulation::advance() {
     return report;
 }
 
-void Simulation::resume(int frame, const State& state, const EnergyFlow& flow) {
+void Simulation::save(ByteWriter& out) const {
+    out.put(frame_);
+    out.put(state_.x);
+    out.put(state_.v);
+    out.put(state_.time);
+    out.put(dynamics_->flow().dissipated);
+    out.put(dynamics_->flow().driven);
+}
+
+bool Simulation::restore(ByteReader& in) {
+    const int frame = in.take<int>();
+    State state;
+    state.x = in.take_points();
+    state.v = in.take_points();
+    state.time = in.take<double>();
+    EnergyFlow flow;
+    flow.dissipated = in.take<double>();
+    flow.driven = in.take<double>();
+    if (!in.ok() || state.x.cols() != state_.x.cols() || state.v.cols() != state_.v.cols()) return false;
     frame_ = frame;
     state_ = state;
     dynamics_->reset_flow(flow);
+    return true;
 }
 
 }  // namespace drape

@@ -10,6 +10,7 @@
 #include "base/plan.h"
 #include "integrate/dynamics.h"
 #include "integrate/method.h"
+#include "simulate/archive.h"
 #include "simulate/stable_step.h"
 
 namespace drape {
@@ -23,7 +24,10 @@ struct Setup {
     double frame_rate = 30;  // [1/s]
     int frames = 1;
     std::string method;          // "" = drape chooses
-    std::optional<double> step;  // [s]; none = the longest stable one
+    std::optional<double> step;  // [s]; none = the longest stable one, less a margin
+    // Multiplies the steps of a frame, contact's shorter ones too: passes that differ in nothing else tell
+    // the error. At least one more or one less than 1 gives, as far as stability allows.
+    double refine = 1;
 };
 
 // What a frame brought.
@@ -35,9 +39,11 @@ struct FrameReport {
     int contacts = 0;          // most at once
     // from any obstacle, over the steps in contact and at the frame's end; infinite without obstacles [m]
     double least_distance = 0;
-    double strain = 0;    // largest |l/l0 - 1|
-    double fastest = 0;   // speed of any vertex at the frame [m/s]
-    std::string hash;     // of the positions
+    double strain = 0;   // largest |l/l0 - 1|
+    double fastest = 0;  // speed of any vertex at the frame [m/s]
+    double cpu_seconds = 0;
+    double error_rms = NAN, error_max = NAN;  // estimated, of the positions, over all vertices [m]
+    std::string hash;                         // of the positions
     std::string trouble;  // "" = good; else why the run cannot go on (the state is the last good one)
 };
 
@@ -71,16 +77,21 @@ public:
     double lifted() const { return lifted_; }               // how far start overlaps were cleared [m]
 
     Dynamics& dynamics() { return *dynamics_; }
+    double contact_seconds() const { return dynamics_->contact_seconds(); }  // CPU, of the run so far [s]
     Energies energies() const;
     const EnergyFlow& flow() const { return dynamics_->flow(); }
 
-    // Goes on from a frame reached earlier, with the same bits as a run that was never interrupted: whatever
+    // To go on from a frame reached earlier, with the same bits as a run that was never interrupted: whatever
     // a frame does follows from its first state alone.
-    void resume(int frame, const State& state, const EnergyFlow& flow);
+    void save(ByteWriter& out) const;
+    [[nodiscard]] bool restore(ByteReader& in);
 
 private:
     void build();
+    FrameReport next_frame();
     void choose_step();
+    double steps_a_frame(double wanted) const;
+    double allowed_step() const;
     // one step of at most `h`; returns how long it was, 0 if none could be made
     double guarded_step(double h, FrameReport& report);
 
@@ -93,6 +104,7 @@ private:
     std::unique_ptr<Integrator> integrator_;
     Spectrum spectrum_;
     double step_ = 0, longest_ = 0, guaranteed_ = 0, lifted_ = 0;
+    double pace_ = 1;                 // the step over the one a run that asks for nothing would take
     double left_out_gap_ = INFINITY;  // to the nearest obstacle that was left out as out of reach [m]
     int frame_ = 0;
 };

@@ -48,8 +48,8 @@ TEST_CASE("simulate leaves a report with every key of the contract, and no pictu
     for (const char* key : {"scene", "version", "machine", "method", "error", "time", "memory_peak_mb",
                             "energy", "contact", "plan", "frames"})
         CHECK(report.contains(key));
-    CHECK(report["error"]["how"] == "not estimated");
-    CHECK(report["error"]["estimated_rms_m"].is_null());
+    CHECK(report["error"]["estimated_rms_m"].get<double>() > 0);
+    CHECK(report["error"]["passes"].size() == 2);
     CHECK(report["machine"]["renderer"].is_null());  // no GL context was made
     CHECK(report["contact"]["deepest_penetration_m"] == 0);
     REQUIRE(report["frames"].size() == 4);

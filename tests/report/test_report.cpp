@@ -17,6 +17,10 @@ RunReport two_frames() {
     report.chosen_because = "asked for";
     report.step = 1e-4;
     report.longest_step = 2e-4;
+    report.error.asked = 1e-3;
+    report.error.rms = 2e-4;
+    report.error.how = "by a test";
+    report.error.passes.push_back({"verlet", "delivered", 1e-4, 300, 301, 2e-4, 0.5});
     report.guaranteed_step = 1.5e-4;
     report.start = {0, 10};
     report.end = {1, 6};
@@ -47,7 +51,11 @@ TEST_CASE("report.json says what the frames add up to, and null where nothing is
     CHECK(json["energy"]["drift_j"] == Approx(7 - 10 - 0.25 + 3.5));
     CHECK(json["contact"]["deepest_penetration_m"] == Approx(0.001));
     CHECK(json["contact"]["contacts_max"] == 7);
-    CHECK(json["error"]["how"] == "not estimated");
+    CHECK(json["error"]["how"] == "by a test");
+    CHECK(json["error"]["asked_m"] == 1e-3);
+    CHECK(json["error"]["estimated_rms_m"] == 2e-4);
+    CHECK(json["error"]["reached"] == true);
+    CHECK(json["error"]["passes"].size() == 1);
     CHECK(json["error"]["predictability_floor_m"].is_null());
     CHECK(json["plan"]["used"] == nlohmann::json{"gravity"});
     CHECK(json["plan"]["left_out"][0]["because"] == "no air.wind");

@@ -18,11 +18,19 @@ TEST_CASE("a method and a step may be asked for", "[scene]") {
           "verlet, takahashi_imada)");
 }
 
+TEST_CASE("a tolerance may be asked for, with a method but not with a step", "[scene]") {
+    CHECK(scene_of(with_cloth("[accuracy]\ntolerance = \"1 mm\"\n")).accuracy.tolerance == 1e-3);
+    CHECK(scene_of(with_cloth("[accuracy]\nmethod = \"verlet\"\ntolerance = 0.01\n")).accuracy.tolerance ==
+          0.01);
+    CHECK(error_of(with_cloth("[accuracy]\ntolerance = 0\n")) ==
+          "scene.toml:5:13: tolerance must be positive, got 0 m");
+    CHECK(error_of(with_cloth("[accuracy]\nstep = 0.1\ntolerance = 0.1\n")) ==
+          "scene.toml:6:1: tolerance chooses the step by itself (leave out step, or tolerance)");
+}
+
 TEST_CASE("accuracy that this version cannot give is refused, never ignored", "[scene]") {
-    CHECK(error_of(with_cloth("[accuracy]\ntolerance = \"1 mm\"\n")) ==
-          "scene.toml:5:1: tolerance: this version of drape cannot do it yet (method and step, or nothing)");
     CHECK(error_of(with_cloth("[accuracy]\nbudget = 60\n")) ==
-          "scene.toml:5:1: budget: this version of drape cannot do it yet (method and step, or nothing)");
+          "scene.toml:5:1: budget: this version of drape cannot do it yet (tolerance, or method and step)");
     for (const char* method : {"srkn4", "srkn6", "rk4", "embedded_rk", "backward_euler_1", "backward_euler",
                                "bdf2", "tr_bdf2", "xpbd", "projective_dynamics"}) {
         CAPTURE(method);

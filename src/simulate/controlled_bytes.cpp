@@ -1,0 +1,131 @@
+// Checkpoints of a controlled run: the last two passes' frames, the pass that runs, and what is known so far.
+#include "simulate/controlled_delivery.h"
+
+namespace drape {
+
+namespace {
+
+template <class Report, class Visit>
+void each_number(Report& report, Visit visit) {
+    visit(report.index);
+    visit(report.time);
+    visit(report.steps);
+    visit(report.shortest_step);
+    visit(report.contacts);
+    visit(report.least_distance);
+    visit(report.strain);
+    visit(report.fastest);
+    visit(report.cpu_seconds);
+}
+
+template <class Record, class Visit>
+void each_record_number(Record& record, Visit visit) {
+    visit(record.step);
+    visit(record.steps);
+    visit(record.sweeps);
+    visit(record.error_rms);
+    visit(record.cpu_seconds);
+}
+
+void put_pass(ByteWriter& out, const Pass& pass) {
+    out.put(pass.method);
+    out.put(pass.refine);
+    out.put(pass.steps);
+    out.put(pass.touched);
+    out.put(pass.x.size());
+    for (const Points& x : pass.x) out.put(x);
+    out.put(pass.frames.size());
+    for (const FrameReport& frame : pass.frames) {
+        each_number(frame, [&](auto value) { out.put(value); });
+        out.put(frame.hash);
+        out.put(frame.trouble);
+    }
+}
+
+Pass take_pass(ByteReader& in) {
+    Pass pass;
+    pass.method = in.take_text();
+    pass.refine = in.take<double>();
+    pass.steps = in.take<double>();
+    pass.touched = in.take<bool>();
+    for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) pass.x.push_back(in.take_points());
+    for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) {
+        FrameReport& frame = pass.frames.emplace_back();
+        each_number(frame, [&](auto& value) { value = in.take<std::decay_t<decltype(value)>>(); });
+        frame.hash = in.take_text();
+        frame.trouble = in.take_text();
+    }
+    return pass;
+}
+
+void put_list(ByteWriter& out, const std::vector<double>& list) {
+    out.put(list.size());
+    for (const double value : list) out.put(value);
+}
+
+std::vector<double> take_list(ByteReader& in) {
+    std::vector<double> list;
+    for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) list.push_back(in.take<double>());
+    return list;
+}
+
+}  // namespace
+
+std::string ControlledDelivery::save() const {
+    ByteWriter out;
+    put_pass(out, before_);
+    put_pass(out, now_);
+    for (const std::vector<double>* list : {&floor_, &row_steps_, &row_distance_}) put_list(out, *list);
+    for (const double value :
+         {share_, account_.rms, account_.max, account_.floor, account_.floor_from, account_.seconds})
+        out.put(value);
+    for (const int value : {idle_, failed_, delivered_}) out.put(value);
+    out.put(accepted_);
+    out.put(account_.reached);
+    out.put(account_.passes.size());
+    for (const PassRecord& record : account_.passes) {
+        out.put(record.method);
+        out.put(record.purpose);
+        each_record_number(record, [&](auto value) { out.put(value); });
+    }
+    running_->save(out);
+    out.put(twin_ != nullptr);
+    if (twin_) twin_->save(out);
+    return std::move(out).bytes();
+}
+
+bool ControlledDelivery::restore(std::string_view bytes) {
+    ByteReader in(bytes);
+    Pass before = take_pass(in), now = take_pass(in);
+    for (std::vector<double>* list : {&floor_, &row_steps_, &row_distance_}) *list = take_list(in);
+    for (double* value :
+         {&share_, &account_.rms, &account_.max, &account_.floor, &account_.floor_from, &account_.seconds})
+        *value = in.take<double>();
+    for (int* value : {&idle_, &failed_, &delivered_}) *value = in.take<int>();
+    accepted_ = in.take<bool>();
+    account_.reached = in.take<bool>();
+    std::vector<PassRecord> records;
+    for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) {
+        PassRecord& record = records.emplace_back();
+        record.method = in.take_text();
+        record.purpose = in.take_text();
+        each_record_number(record, [&](auto& value) { value = in.take<std::decay_t<decltype(value)>>(); });
+    }
+    if (!in.ok()) return false;
+    now_.method = now.method;  // start_pass keeps the row then
+    start_pass(now.method, now.refine);
+    if (!running_->restore(in)) return false;
+    if (!in.take<bool>())
+        twin_.reset();
+    else if (!twin_->restore(in))
+        return false;
+    before_ = std::move(before);
+    now_ = std::move(now);
+    account_.passes = std::move(records);
+    distance_.clear();
+    for (size_t k = 0; k < now_.x.size() && k < before_.x.size(); ++k)
+        distance_.push_back(distance_between(now_.x[k], before_.x[k]));
+    return in.at_end();
+}
+
+}  // namespace drape

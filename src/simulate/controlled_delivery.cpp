@@ -1,0 +1,211 @@
+#include "simulate/controlled_delivery.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "base/error.h"
+#include "simulate/side_by_side.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double twin_offset = 1e-12;      // [m]
+constexpr double first_refinement = 1.25;  // between the first two passes
+constexpr double least_refinement = 1.3, most_refinement = 8;
+constexpr double aim = 0.6;    // of the tolerance, when the next pass's steps are chosen
+constexpr double idle = 0.75;  // a pass whose error is more than this of the last one's was idle
+constexpr int most_idle = 2, most_failed = 3, most_passes = 12;
+constexpr double least_order = 0.5;
+
+// Every free vertex moved by twin_offset, each its own way.
+State moved_a_little(const Model& model, State start) {
+    std::mt19937 random(1);
+    for (Eigen::Index i = 0; i < start.x.cols(); ++i) {
+        Vec3 way;
+        for (double& c : way) c = double(random()) / double(std::mt19937::max()) - 0.5;
+        if (model.inverse_mass[i] > 0) start.x.col(i) += twin_offset * way.normalized();
+    }
+    return start;
+}
+
+}  // namespace
+
+ControlledDelivery::ControlledDelivery(Setup setup, const DeliveryOptions& options)
+    : setup_(std::move(setup)),
+      threads_(options.threads),
+      frames_(options.frames > 0 ? options.frames : setup_.frames),
+      tolerance_(*options.tolerance),
+      shown_(setup_.start) {
+    account_.asked = tolerance_;
+    account_.how = "whole passes with ever more steps, compared at every frame (Richardson)";
+    start_pass(setup_.method, 1);
+    start_twin();
+}
+
+void ControlledDelivery::start_twin() {
+    Setup twin = setup_;
+    twin.method = now_.method;
+    twin.refine = now_.refine;
+    twin.start = moved_a_little(twin.model, twin.start);
+    twin_ = std::make_unique<Simulation>(std::move(twin));
+    floor_.clear();
+}
+
+void ControlledDelivery::start_pass(const std::string& method, double refine) {
+    if (method != now_.method) {
+        row_steps_.clear();
+        row_distance_.clear();
+    }
+    now_ = {};
+    now_.method = method;
+    now_.refine = refine;
+    Setup setup = setup_;
+    setup.method = method;
+    setup.refine = refine;
+    running_ = std::make_unique<Simulation>(std::move(setup));
+    account_.passes.emplace_back();
+    account_.passes.back().purpose = before_.x.empty() ? "first look" : "more steps";
+}
+
+std::optional<FrameReport> ControlledDelivery::advance() {
+    if (accepted_) return deliver();
+    run_frame();
+    return std::nullopt;
+}
+
+void ControlledDelivery::run_frame() {
+    FrameReport report;
+    if (twin_) {
+        FrameReport other;
+        std::tie(report, other) = advance_both(*running_, *twin_, threads_);
+        account_.seconds += other.cpu_seconds;
+        if (!other.trouble.empty())
+            twin_.reset();
+        else if (report.trouble.empty())
+            floor_.push_back(distance_between(running_->state().x, twin_->state().x).rms);
+    } else {
+        report = running_->advance();
+    }
+    PassRecord& record = account_.passes.back();
+    record.method = running_->method().name;
+    record.step = running_->step();
+    record.steps += report.steps;
+    record.sweeps = running_->dynamics().sweeps();
+    record.cpu_seconds += report.cpu_seconds;
+    now_.steps += static_cast<double>(report.steps);
+    now_.touched = now_.touched || report.contacts > 0;
+    const bool failed = !report.trouble.empty();
+    now_.frames.push_back(std::move(report));
+    if (!failed) {
+        now_.x.push_back(running_->state().x);
+        if (!before_.x.empty())
+            distance_.push_back(distance_between(now_.x.back(), before_.x[now_.x.size() - 1]));
+    } else if (++failed_ < most_failed) {
+        // a pass that went wrong says nothing but that it needs shorter steps
+        distance_.clear();
+        start_pass(now_.method, 2 * now_.refine);
+        if (before_.x.empty()) start_twin();
+        return;
+    }
+    if (failed)
+        accept(false);
+    else if (running_->frame() == frames_)
+        end_pass();
+}
+
+void ControlledDelivery::end_pass() {
+    twin_.reset();
+    row_steps_.push_back(now_.steps);
+    if (before_.x.empty()) {
+        for (size_t k = 0; k < floor_.size(); ++k) {
+            account_.floor = std::fmax(account_.floor, floor_[k]);
+            if (floor_[k] > tolerance_ && std::isnan(account_.floor_from))
+                account_.floor_from = now_.frames[k].time;
+        }
+        before_ = std::move(now_);
+        start_pass(before_.method, before_.refine * first_refinement);
+        return;
+    }
+    row_distance_.push_back(worst_distance(false));
+    judge();
+}
+
+double ControlledDelivery::formal_order() const {
+    const Method& method = running_->method();
+    return running_->dynamics().is_conservative() ? method.order : method.order_with_damping;
+}
+
+double ControlledDelivery::worst_distance(bool above_floor_only) const {
+    double worst = 0;
+    for (size_t k = 0; k < distance_.size(); ++k)
+        if (!above_floor_only || k >= floor_.size() || floor_[k] <= tolerance_)
+            worst = std::max(worst, distance_[k].rms);
+    return worst;
+}
+
+void ControlledDelivery::judge() {
+    const size_t n = row_steps_.size();
+    // two passes cannot tell the order: with contact, assume the least
+    double order = now_.touched ? 1 : formal_order();
+    if (n >= 3)
+        order = observed_order({row_steps_[n - 3], row_steps_[n - 2], row_steps_[n - 1]},
+                               row_distance_[n - 3], row_distance_[n - 2], least_order, formal_order());
+    share_ = error_share(now_.steps, before_.steps, order);
+    const double worst = share_ * row_distance_.back() + round_off(now_.x.back(), now_.steps);
+    double& last_error = account_.passes[account_.passes.size() - 2].error_rms;
+    last_error = std::fmax(last_error, error_share(before_.steps, now_.steps, order) * row_distance_.back());
+    account_.passes.back().error_rms = worst;
+    if (worst <= tolerance_) return accept(true);
+
+    // frames below the floor are refined as long as that helps; if it does not, the others decide
+    idle_ = worst > idle * last_error && n >= 3 ? idle_ + 1 : 0;
+    const bool others_met = share_ * worst_distance(true) <= tolerance_;
+    if (idle_ >= (others_met ? 1 : most_idle) || account_.passes.size() >= most_passes)
+        return accept(others_met);
+    const double needed = std::pow(worst / (aim * tolerance_), 1 / (n >= 3 ? order : formal_order()));
+    before_ = std::move(now_);
+    distance_.clear();
+    start_pass(before_.method, before_.refine * std::clamp(needed, least_refinement, most_refinement));
+}
+
+void ControlledDelivery::accept(bool reached) {
+    accepted_ = true;
+    account_.reached = reached;
+    account_.passes.back().purpose = "delivered";
+    for (size_t i = 0; i + 1 < account_.passes.size(); ++i)
+        account_.seconds += account_.passes[i].cpu_seconds;
+    before_.frames.clear();
+}
+
+FrameReport ControlledDelivery::deliver() {
+    const auto k = static_cast<size_t>(delivered_);
+    FrameReport report = now_.frames[k];
+    if (!report.trouble.empty()) return report;
+    if (k < distance_.size()) {
+        const double least = round_off(now_.x[k], now_.steps);
+        report.error_rms = share_ * distance_[k].rms + least;
+        report.error_max = share_ * distance_[k].max + least;
+        vertex_error_ = vertex_errors(now_.x[k], before_.x[k], share_);
+        account_.rms = std::fmax(account_.rms, report.error_rms);
+        account_.max = std::fmax(account_.max, report.error_max);
+    }
+    shown_.x = now_.x[k];
+    shown_.time = report.time;
+    ++delivered_;
+    return report;
+}
+
+PassProgress ControlledDelivery::progress() const {
+    PassProgress progress;
+    progress.what = cat("pass ", account_.passes.size());
+    progress.frame = static_cast<int>(now_.x.size());
+    progress.frames = frames_;
+    for (const ErrorNorms& apart : distance_)
+        progress.error =
+            std::fmax(progress.error, apart.rms * error_share(now_.refine, before_.refine, formal_order()));
+    return progress;
+}
+
+}  // namespace drape

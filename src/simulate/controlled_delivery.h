@@ -1,0 +1,68 @@
+// Runs a scene to a tolerance: whole passes with ever more steps, compared at the output frames, until the
+// worst frame's error is below what was asked. Only then are frames delivered. Local step errors are no
+// guide: they misjudge the error of a frame by orders of magnitude.
+//
+// A twin of the first pass, its start moved by 1e-12 m, shows the predictability floor: how far two runs end
+// apart that no measurement could tell apart at the start. Frames whose floor lies above the tolerance are
+// refined as long as that helps, and are no reason to go on when it does not.
+#pragma once
+
+#include "simulate/delivery.h"
+#include "simulate/error_estimate.h"
+
+namespace drape {
+
+// Positions at every frame of one pass, and what the frames brought.
+struct Pass {
+    std::string method;  // "" = drape chooses
+    double refine = 1;   // Setup::refine
+    std::vector<Points> x;
+    std::vector<FrameReport> frames;
+    double steps = 0;
+    bool touched = false;  // contact was met
+};
+
+class ControlledDelivery final : public Delivery {
+public:
+    ControlledDelivery(Setup setup, const DeliveryOptions& options);
+
+    std::optional<FrameReport> advance() override;
+    const Simulation& simulation() const override { return *running_; }
+    const State& state() const override { return shown_; }
+    int frame() const override { return delivered_; }
+    const Eigen::VectorXf& vertex_error() const override { return vertex_error_; }
+    const ErrorAccount& error() const override { return account_; }
+    PassProgress progress() const override;
+    std::string save() const override;
+    bool restore(std::string_view bytes) override;
+
+private:
+    void start_pass(const std::string& method, double refine);
+    void start_twin();
+    void run_frame();
+    void end_pass();
+    void judge();
+    void accept(bool reached);
+    double formal_order() const;
+    double worst_distance(bool above_floor_only) const;  // of any frame [m]
+    FrameReport deliver();
+
+    Setup setup_;
+    int threads_, frames_;
+    double tolerance_;
+    std::unique_ptr<Simulation> running_, twin_;
+    Pass before_, now_;
+    std::vector<double> floor_;         // per frame [m]
+    std::vector<ErrorNorms> distance_;  // of now_ from before_, per frame
+    // of passes in a row with one method, newest last
+    std::vector<double> row_steps_, row_distance_;
+    double share_ = NAN;  // of the distance that is now_'s error
+    int idle_ = 0, failed_ = 0;
+    bool accepted_ = false;
+    int delivered_ = 0;
+    State shown_;
+    Eigen::VectorXf vertex_error_;
+    ErrorAccount account_;
+};
+
+}  // namespace drape

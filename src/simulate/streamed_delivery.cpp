@@ -1,0 +1,115 @@
+#include "simulate/streamed_delivery.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "simulate/side_by_side.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double companion_steps = 0.867;  // 0.85 / 0.98: as few as stability allows
+constexpr double order_in_contact = 1;     // points come and go, friction sticks and slips
+
+}  // namespace
+
+StreamedDelivery::StreamedDelivery(Setup setup, const DeliveryOptions& options) : threads_(options.threads) {
+    if (options.estimate) {
+        Setup other = setup;
+        other.refine = companion_steps;
+        companion_ = std::make_unique<Simulation>(std::move(other));
+    }
+    delivered_ = std::make_unique<Simulation>(std::move(setup));
+    account_.how = companion_ ? "a second pass with another step, beside the first (Richardson)"
+                              : "not estimated: --no-estimate";
+    account_.passes.resize(companion_ ? 2 : 1);
+    account_.passes[0].purpose = "delivered";
+    if (companion_) account_.passes[1].purpose = "for the error";
+}
+
+std::optional<FrameReport> StreamedDelivery::advance() {
+    FrameReport report;
+    if (companion_) {
+        FrameReport other;
+        std::tie(report, other) = advance_both(*delivered_, *companion_, threads_);
+        account_.seconds += other.cpu_seconds;
+        account_.passes[1].cpu_seconds += other.cpu_seconds;
+        if (report.trouble.empty()) judge(report, other);
+    } else {
+        report = delivered_->advance();
+    }
+    steps_ += companion_ ? 0 : static_cast<double>(report.steps);
+    account_.passes[0].cpu_seconds += report.cpu_seconds;
+    const std::array<Simulation*, 2> simulations{delivered_.get(), companion_.get()};
+    for (size_t i = 0; i < account_.passes.size() && simulations[i]; ++i) {
+        PassRecord& record = account_.passes[i];
+        record.method = simulations[i]->method().name;
+        record.step = simulations[i]->step();
+        record.steps = static_cast<long>(i == 0 ? steps_ : companion_steps_);
+        record.sweeps = simulations[i]->dynamics().sweeps();
+    }
+    account_.passes[0].error_rms = account_.rms;
+    return report;
+}
+
+void StreamedDelivery::judge(FrameReport& delivered, const FrameReport& companion) {
+    if (!companion.trouble.empty()) {
+        account_.how = cat("not estimated from frame ", companion.index,
+                           " on: the second pass stopped there (", companion.trouble, ")");
+        account_.rms = account_.max = NAN;
+        companion_.reset();
+        vertex_error_.resize(0);
+        return;
+    }
+    steps_ += static_cast<double>(delivered.steps);
+    companion_steps_ += static_cast<double>(companion.steps);
+    touched_ = touched_ || delivered.contacts > 0 || companion.contacts > 0;
+    const Method& method = delivered_->method();
+    const bool conservative = delivered_->dynamics().is_conservative();
+    const double order = touched_       ? order_in_contact
+                         : conservative ? method.order
+                                        : method.order_with_damping;
+    // contact may bring the numbers of steps together, or turn them round
+    const double other_steps = std::min(companion_steps_, 0.98 * steps_);
+    const double share = companion_steps_ > steps_
+                             ? error_share(steps_, std::max(companion_steps_, 1.02 * steps_), order)
+                             : error_share(steps_, other_steps, order);
+    const Points &x = delivered_->state().x, &y = companion_->state().x;
+    const ErrorNorms apart = distance_between(x, y);
+    const double least = round_off(x, steps_);
+    delivered.error_rms = share * apart.rms + least;
+    delivered.error_max = share * apart.max + least;
+    vertex_error_ = vertex_errors(x, y, share);
+    account_.rms = std::fmax(account_.rms, delivered.error_rms);
+    account_.max = std::fmax(account_.max, delivered.error_max);
+}
+
+std::string StreamedDelivery::save() const {
+    ByteWriter out;
+    out.put(companion_ != nullptr);
+    delivered_->save(out);
+    if (companion_) companion_->save(out);
+    for (const double value : {steps_, companion_steps_, account_.rms, account_.max}) out.put(value);
+    out.put(touched_);
+    return std::move(out).bytes();
+}
+
+bool StreamedDelivery::restore(std::string_view bytes) {
+    ByteReader in(bytes);
+    const bool two = in.take<bool>();
+    if (!delivered_->restore(in)) return false;
+    if (two && (!companion_ || !companion_->restore(in))) return false;
+    if (!two && companion_) {
+        companion_.reset();
+        account_.how = "not estimated: the run that was resumed had no second pass";
+        account_.passes.resize(1);
+    }
+    for (double* value : {&steps_, &companion_steps_, &account_.rms, &account_.max})
+        *value = in.take<double>();
+    touched_ = in.take<bool>();
+    return in.at_end();
+}
+
+}  // namespace drape
