@@ -28,6 +28,9 @@ public:
     void add_bound(In, StepBound& bound) const override {
         bound.damping.segment(first_, rate_.size()) += rate_;
     }
+    void add_damping(In, In, double, BlockMatrix& b) const override {
+        for (int i = 0; i < rate_.size(); ++i) b.add_isotropic(first_ + i, first_ + i, rate_[i]);
+    }
 
 private:
     int first_;

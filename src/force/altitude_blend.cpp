@@ -1,7 +1,9 @@
 #include "force/altitude_blend.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/wide.h"
 
@@ -253,6 +255,103 @@ void AltitudeBlend::add_bound(In x, StepBound& bound) const {
             bound.damping[vertex] += t.damping[i] * slope_g[k] * sum_g;
         }
     }
+}
+
+void AltitudeBlend::add_couplings(Couplings& couplings) const {
+    for (size_t i = 0; i < weight_.size(); ++i)
+        couplings.couple(std::array{corner_[0][i], corner_[1][i], corner_[2][i]});
+}
+
+namespace {
+
+using Gradient = Eigen::Matrix<double, 9, 1>;
+using Hessian = Eigen::Matrix<double, 9, 9>;
+
+struct Shape {
+    double s = 0;
+    Gradient gradient = Gradient::Zero();
+    Hessian hessian = Hessian::Zero();
+};
+
+// s and its derivatives by the formulas above add_bound. With n the unit normal, grad_k D = n x e_k, and as
+// moving corner j turns the normal by n_j = (I - n n') e_j x . / D,
+//   hess D_kj = (e_k . e_j) / D n n' + n x (d e_k / d x_j),   d e_k / d x_(k+2) = I = -d e_k / d x_(k+1)
+std::optional<Shape> shape_of(const Vec3 (&edge)[3], const double (&inverse_squared)[3],
+                              double inverse_double_area) {
+    const Vec3 doubled = edge[0].cross(edge[1]);
+    const double doubled_area = doubled.norm();
+    if (doubled_area == 0) return std::nullopt;
+    const Vec3 n = doubled / doubled_area;
+    Mat3 quarter_turn;
+    quarter_turn << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
+
+    double q[3], sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        q[k] = edge[k].squaredNorm() * inverse_squared[k];
+        sum += std::pow(q[k], 4);
+    }
+    const double scale = inverse_double_area / std::pow(sum / 3, 0.125);  // 1 / (D0 m)
+    Shape shape;
+    shape.s = doubled_area * scale;
+
+    Gradient d, r = Gradient::Zero();
+    Hessian area = Hessian::Zero(), edges = Hessian::Zero();  // hess D; the sum in hess ln m
+    for (int k = 0; k < 3; ++k) {
+        const int next = (k + 1) % 3, last = (k + 2) % 3;
+        d.segment<3>(3 * k) = scale * n.cross(edge[k]);
+        for (int j = 0; j < 3; ++j)
+            area.block<3, 3>(3 * k, 3 * j) = edge[k].dot(edge[j]) / doubled_area * n * n.transpose();
+        area.block<3, 3>(3 * k, 3 * next) -= quarter_turn;
+        area.block<3, 3>(3 * k, 3 * last) += quarter_turn;
+        // q_k and its derivatives live on the edge's two ends
+        const double p = std::pow(q[k], 4) / sum;
+        Gradient along = Gradient::Zero();  // grad q / (2 q)
+        along.segment<3>(3 * last) = edge[k] / edge[k].squaredNorm();
+        along.segment<3>(3 * next) = -edge[k] / edge[k].squaredNorm();
+        r += p * along;
+        edges += 6 * p * along * along.transpose();
+        const Mat3 own = p / edge[k].squaredNorm() * Mat3::Identity();
+        edges.block<3, 3>(3 * next, 3 * next) += own;
+        edges.block<3, 3>(3 * last, 3 * last) += own;
+        edges.block<3, 3>(3 * next, 3 * last) -= own;
+        edges.block<3, 3>(3 * last, 3 * next) -= own;
+    }
+    shape.gradient = d - shape.s * r;
+    shape.hessian = scale * area - d * r.transpose() - r * d.transpose() + 9 * shape.s * r * r.transpose() -
+                    shape.s * edges;
+    return shape;
+}
+
+}  // namespace
+
+template <class Visit>
+void AltitudeBlend::each_shape(In x, Visit visit) const {
+    for (size_t i = 0; i < weight_.size(); ++i) {
+        Vec3 edge[3];
+        double inverse_squared[3];
+        std::array<int, 3> corner;
+        for (size_t k = 0; k < 3; ++k) {
+            corner[k] = corner_[k][i];
+            edge[k] = x.col(corner_[(k + 2) % 3][i]) - x.col(corner_[(k + 1) % 3][i]);
+            inverse_squared[k] = inverse_squared_edge_[k][i];
+        }
+        if (const auto shape = shape_of(edge, inverse_squared, inverse_double_area_[i]))
+            visit(i, corner, *shape);
+    }
+}
+
+void AltitudeBlend::add_stiffness(In x, BlockMatrix& k) const {
+    each_shape(x, [&](size_t i, const std::array<int, 3>& corner, const Shape& shape) {
+        k.add_element(corner, weight_[i] * (shape.gradient * shape.gradient.transpose() +
+                                            (shape.s - 1) * shape.hessian));
+    });
+}
+
+void AltitudeBlend::add_damping(In x, In, double, BlockMatrix& b) const {
+    if (!damped_) return;
+    each_shape(x, [&](size_t i, const std::array<int, 3>& corner, const Shape& shape) {
+        b.add_element(corner, damping_[i] * shape.gradient * shape.gradient.transpose());
+    });
 }
 
 }  // namespace drape

@@ -21,8 +21,15 @@ public:
     Power add_all(In x, In v, double time, Out f) const override;
     bool is_conservative() const override { return !damped_; }
     void add_bound(In x, StepBound& bound) const override;
+    void add_couplings(Couplings& couplings) const override;
+    void add_stiffness(In x, BlockMatrix& k) const override;
+    void add_damping(In x, In v, double time, BlockMatrix& b) const override;
 
 private:
+    // calls visit(triangle, corners, shape and its derivatives) for every triangle with area
+    template <class Visit>
+    void each_shape(In x, Visit visit) const;
+
     std::vector<int> corner_[3];                   // columns of the State
     std::vector<double> inverse_squared_edge_[3];  // 1 / L_i0^2 of the edge opposite corner i [1/m^2]
     std::vector<double> inverse_double_area_;      // 1 / D0 [1/m^2]

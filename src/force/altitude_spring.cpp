@@ -1,6 +1,7 @@
 #include "force/altitude_spring.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -177,6 +178,46 @@ void AltitudeSprings::add_bound(In x, StepBound& bound) const {
             bound.damping[faces_(k, t)] += damping[k];
         }
     }
+}
+
+void AltitudeSprings::add_couplings(Couplings& couplings) const {
+    for (Eigen::Index t = 0; t < faces_.cols(); ++t)
+        couplings.couple(std::array{faces_(0, t), faces_(1, t), faces_(2, t)});
+}
+
+// h^2 is the least over a of |x3 - (1 - a) x1 - a x2|^2, so its half has the Hessian w w' (x) I, less the
+// Schur complement of a: L^2 grad a (grad a)'. That half's Hessian is also grad h (grad h)' + h hess h, so
+// with grad h = w (x) n
+//   hess h = 1/h w w' (x) (I - n n') - L^2/h grad a (grad a)',   grad a = w (x) t / L + h / L^2 q (x) n
+// and the spring's is dT/dh grad h (grad h)' + T hess h. Of several altitudes that could act it is that of
+// the chosen one.
+void AltitudeSprings::add_stiffness(In x, BlockMatrix& k) const {
+    each(x, [&](const Pull& p) {
+        const double a = p.altitude.foot, height = p.altitude.height;
+        if (p.stiffness == 0 || height == 0) return;
+        const Vec3 edge = x.col(p.x2) - x.col(p.x1), &n = p.altitude.up;
+        const double squared = edge.squaredNorm(), w[] = {a - 1, -a, 1}, q[] = {-1, 1, 0};
+        const Mat3 block =
+            p.stiffness * n * n.transpose() + p.tension / height * (Mat3::Identity() - n * n.transpose());
+        BlockMatrix::Element element(9, 9);
+        Eigen::Matrix<double, 9, 1> foot_gradient;
+        for (int i = 0; i < 3; ++i) {
+            foot_gradient.segment<3>(3 * i) = (w[i] * edge + q[i] * height * n) / squared;
+            for (int j = 0; j < 3; ++j) element.block<3, 3>(3 * i, 3 * j) = w[i] * w[j] * block;
+        }
+        element -= p.tension * squared / height * foot_gradient * foot_gradient.transpose();
+        k.add_element(std::array{p.x1, p.x2, p.x3}, element);
+    });
+}
+
+void AltitudeSprings::add_damping(In x, In, double, BlockMatrix& b) const {
+    if (!damped_) return;
+    each(x, [&](const Pull& p) {
+        if (p.stiffness == 0) return;
+        const double a = p.altitude.foot;
+        b.add_point(std::array{p.x1, p.x2, p.x3}, std::array{a - 1, -a, 1.0},
+                    p.damping * p.altitude.up * p.altitude.up.transpose());
+    });
 }
 
 int AltitudeSprings::feet_outside(In x) const {

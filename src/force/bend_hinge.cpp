@@ -113,4 +113,80 @@ void BendHinge::add_bound(In x, StepBound& bound) const {
     }
 }
 
+void BendHinge::add_couplings(Couplings& couplings) const {
+    for (const Hinge& hinge : hinges_) couplings.couple(hinge.vertex);
+}
+
+namespace {
+
+using Gradient = Eigen::Matrix<double, 12, 1>;
+using Hessian = Eigen::Matrix<double, 12, 12>;
+
+Gradient stacked(const std::array<Vec3, 4>& gradient) {
+    Gradient g;
+    g << gradient[0], gradient[1], gradient[2], gradient[3];
+    return g;
+}
+
+Mat3 cross_matrix(const Vec3& a) {
+    Mat3 m;
+    m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    return m;
+}
+
+// grad theta is the sum over both triangles, of far corner k = 2, 3, of w (x) g with
+//   w = (-(1 - a), -a, 1) on (x0, x1, xk),   a = (xk - x0).e / |e|^2,   g = -|e| N / |N|^2,
+// so hess theta is the sum of w (x) Dg + g (x) Dw. With b = xk - x0 and N = +-e x b (+ for k = 2):
+//   Dg = -(N / |N|^2) (D|e|)' - |e| / |N|^2 (I - 2 N N' / |N|^2) DN,   D|e| = (-e, e, 0) / |e|
+//   DN = +-([b - e]x, -[b]x, [e]x),   Dw = (1, -1, 0) (x) Da,
+//   Da = ((2 a - 1) e - b, b - 2 a e, e) / |e|^2
+// One triangle's share is not symmetric; the sum of both is.
+Hessian dihedral_hessian(In x, const int (&v)[4]) {
+    const Vec3 x0 = x.col(v[0]), e = Vec3(x.col(v[1])) - x0;
+    const double squared = e.squaredNorm(), length = std::sqrt(squared);
+    Hessian hessian = Hessian::Zero();
+    for (const int far : {2, 3}) {
+        const double side = far == 2 ? 1 : -1;
+        const Vec3 b = Vec3(x.col(v[far])) - x0, normal = side * e.cross(b);
+        const double area_squared = normal.squaredNorm(), a = b.dot(e) / squared;
+        const Vec3 g = -length / area_squared * normal;
+        const Mat3 to_g = -length / area_squared *
+                          (Mat3::Identity() - 2 / area_squared * normal * normal.transpose()) * side;
+        const Mat3 stretch = -normal / (area_squared * length) * e.transpose();
+        const Mat3 dg[] = {to_g * cross_matrix(b - e) - stretch, stretch - to_g * cross_matrix(b),
+                           to_g * cross_matrix(e)};
+        const Vec3 da[] = {((2 * a - 1) * e - b) / squared, (b - 2 * a * e) / squared, e / squared};
+        const double w[] = {a - 1, -a, 1}, moved[] = {1, -1, 0};
+        const int corner[] = {0, 1, far};
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                hessian.block<3, 3>(3 * corner[i], 3 * corner[j]) +=
+                    w[i] * dg[j] + moved[i] * g * da[j].transpose();
+    }
+    return hessian;
+}
+
+}  // namespace
+
+void BendHinge::add_stiffness(In x, BlockMatrix& k) const {
+    for (const Hinge& hinge : hinges_) {
+        const auto d = dihedral_of(x, hinge.vertex);
+        if (!d) continue;
+        const Gradient g = stacked(d->gradient);
+        k.add_element(hinge.vertex,
+                      hinge.stiffness * (g * g.transpose() + turn(d->angle, hinge.rest_angle) *
+                                                                 dihedral_hessian(x, hinge.vertex)));
+    }
+}
+
+void BendHinge::add_damping(In x, In, double, BlockMatrix& b) const {
+    if (tau_ == 0) return;
+    for (const Hinge& hinge : hinges_) {
+        const auto d = dihedral_of(x, hinge.vertex);
+        if (!d) continue;
+        const Gradient g = stacked(d->gradient);
+        b.add_element(hinge.vertex, tau_ * hinge.stiffness * g * g.transpose());
+    }
+}
+
 }  // namespace drape

@@ -1,6 +1,7 @@
 #include "force/bend_plate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -144,6 +145,32 @@ void BendPlate::add_bound(In, StepBound& bound) const {
         bound.stiffness[first_ + static_cast<Eigen::Index>(i)] += sum;
         bound.damping[first_ + static_cast<Eigen::Index>(i)] += tau_ * sum;
     }
+}
+
+void BendPlate::add_couplings(Couplings& couplings) const {
+    for (size_t i = 0; i + 1 < row_.size(); ++i)
+        for (int k = row_[i]; k < row_[i + 1]; ++k)
+            couplings.couple(
+                std::array{first_ + static_cast<int>(i), first_ + column_[static_cast<size_t>(k)]});
+}
+
+// K itself, which is the same for the three coordinates
+void BendPlate::add_scaled(double factor, BlockMatrix& matrix) const {
+    for (size_t i = 0; i + 1 < row_.size(); ++i) {
+        for (int k = row_[i]; k < row_[i + 1]; ++k) {
+            const int row = static_cast<int>(i), column = column_[static_cast<size_t>(k)];
+            if (column <= row)
+                matrix.add_isotropic(first_ + row, first_ + column, factor * value_[static_cast<size_t>(k)]);
+        }
+    }
+}
+
+void BendPlate::add_stiffness(In, BlockMatrix& k) const {
+    add_scaled(1, k);
+}
+
+void BendPlate::add_damping(In, In, double, BlockMatrix& b) const {
+    if (tau_ > 0) add_scaled(tau_, b);
 }
 
 }  // namespace drape

@@ -21,10 +21,15 @@ public:
     Power add_all(In x, In v, double time, Out f) const override;
     bool is_conservative() const override { return tau_ == 0; }
     void add_bound(In x, StepBound& bound) const override;
+    void add_couplings(Couplings& couplings) const override;
+    void add_stiffness(In x, BlockMatrix& k) const override;
+    void add_damping(In x, In v, double time, BlockMatrix& b) const override;
 
     int incomplete_triangles() const { return incomplete_; }
 
 private:
+    void add_scaled(double factor, BlockMatrix& matrix) const;
+
     int first_ = 0;
     std::vector<int> row_, column_;  // compressed rows of K, numbered within the cloth
     std::vector<double> value_;      // [N/m]

@@ -1,6 +1,7 @@
 #include "force/edge_spring.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/assert.h"
@@ -137,6 +138,46 @@ void EdgeSprings::add_bound(In, StepBound& bound) const {
             bound.stiffness[end] += 2 * stiffness_[s];
             bound.damping[end] += 2 * damping_[s];
         }
+    }
+}
+
+void EdgeSprings::add_couplings(Couplings& couplings) const {
+    for (size_t s = 0; s < a_.size(); ++s) couplings.couple(std::array{a_[s], b_[s]});
+}
+
+namespace {
+
+// what acts on the difference of two ends acts on each, and against the other
+BlockMatrix::Element between_ends(const Mat3& k) {
+    BlockMatrix::Element element(6, 6);
+    element << k, -k, -k, k;
+    return element;
+}
+
+}  // namespace
+
+// grad l = n and grad n = (I - n n') / l, so K = c n n' + c (1 - l0/l) (I - n n').
+void EdgeSprings::add_stiffness(In x, BlockMatrix& k) const {
+    for (size_t s = 0; s < a_.size(); ++s) {
+        const Vec3 along = x.col(a_[s]) - x.col(b_[s]);
+        const double length = along.norm();
+        if (length == 0 && rest_length_[s] > 0) continue;
+        const double across = rest_length_[s] > 0 ? 1 - rest_length_[s] / length : 1;
+        const Vec3 n = length > 0 ? Vec3(along / length) : Vec3::Zero();
+        k.add_element(
+            std::array{a_[s], b_[s]},
+            between_ends(stiffness_[s] * (across * Mat3::Identity() + (1 - across) * n * n.transpose())));
+    }
+}
+
+void EdgeSprings::add_damping(In x, In, double, BlockMatrix& b) const {
+    if (!damped_) return;
+    for (size_t s = 0; s < a_.size(); ++s) {
+        const Vec3 along = x.col(a_[s]) - x.col(b_[s]);
+        const double squared = along.squaredNorm();
+        if (squared == 0) continue;
+        b.add_element(std::array{a_[s], b_[s]},
+                      between_ends(damping_[s] / squared * along * along.transpose()));
     }
 }
 

@@ -18,6 +18,9 @@ public:
     Power add_all(In x, In v, double time, Out f) const override;
     bool is_conservative() const override { return !damped_; }
     void add_bound(In x, StepBound& bound) const override;
+    void add_couplings(Couplings& couplings) const override;
+    void add_stiffness(In x, BlockMatrix& k) const override;
+    void add_damping(In x, In v, double time, BlockMatrix& b) const override;
 
 private:
     std::vector<int> a_, b_;  // columns of the State

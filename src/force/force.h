@@ -66,7 +66,7 @@ public:
         static_cast<void>(x);
         static_cast<void>(k);
     }
-    // B += -df/dv, its symmetric part [N s/m]
+    // B += -df/dv [N s/m]; where that is not symmetric and semidefinite, something near it that is
     virtual void add_damping(In x, In v, double time, BlockMatrix& b) const {
         static_cast<void>(x);
         static_cast<void>(v);

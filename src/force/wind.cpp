@@ -4,6 +4,7 @@
 // (flat-plate theory in its simplest form: both vanish when the sheet lies along the flow). Each corner gets
 // a third. The force follows the air, not a position, so it has no energy. Gusts scale the wind by 1 +
 // strength g(t), g a sum of four sines with seeded phases, |g| <= 1.
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -52,13 +53,11 @@ public:
         Power power;
         for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
             const int a = faces_(0, t), b = faces_(1, t), c = faces_(2, t);
-            const Vec3 twice_area_normal = (x.col(b) - x.col(a)).cross(x.col(c) - x.col(a));
-            const double twice_area = twice_area_normal.norm();
             const Vec3 velocity = (v.col(a) + v.col(b) + v.col(c)) / 3;
             const Vec3 u = wind - velocity;
             const double speed = u.norm();
+            const auto [twice_area, n] = side_of(x, t);
             if (twice_area == 0 || speed == 0) continue;  // no side to push on, or no flow
-            const Vec3 n = twice_area_normal / twice_area;
             const double un = u.dot(n);
             const Vec3 force = (half_density * twice_area / 2) *
                                (std::abs(un) * u + air_.lift * (speed * un * n - (un * un / speed) * u));
@@ -82,7 +81,51 @@ public:
         }
     }
 
+    void add_couplings(Couplings& couplings) const override {
+        for (Eigen::Index t = 0; t < faces_.cols(); ++t)
+            couplings.couple(std::array{faces_(0, t), faces_(1, t), faces_(2, t)});
+    }
+
+    // With s the sign of un and u^ = u / |u|, the force over 1/2 rho A has the derivative by u
+    //   |un| I + s u n' + C ( un n u^' + |u| n n' - 2 un u^ n' + un^2 / |u| (u^ u^' - I) )
+    // of which the symmetric part is taken, without what it has of negative eigenvalues: an approximation
+    // that keeps an implicit step's matrix definite. How the force changes as the triangle turns is left out
+    // (it is no gradient).
+    void add_damping(In x, In v, double time, BlockMatrix& matrix) const override {
+        const Vec3 wind = gusts_.factor(time) * air_.wind;
+        for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
+            const int a = faces_(0, t), b = faces_(1, t), c = faces_(2, t);
+            const Vec3 u = wind - (v.col(a) + v.col(b) + v.col(c)) / 3;
+            const double speed = u.norm();
+            const auto [twice_area, n] = side_of(x, t);
+            if (twice_area == 0 || speed == 0) continue;
+            const Vec3 flow = u / speed;
+            const double un = u.dot(n);
+            const Mat3 drag = std::abs(un) * Mat3::Identity() + std::copysign(1.0, un) * u * n.transpose();
+            const Mat3 lift = un * n * flow.transpose() + speed * n * n.transpose() -
+                              2 * un * flow * n.transpose() +
+                              un * un / speed * (flow * flow.transpose() - Mat3::Identity());
+            const Mat3 rate = air_.density * twice_area / 4 * (drag + air_.lift * lift);
+            const Eigen::SelfAdjointEigenSolver<Mat3> modes((rate + rate.transpose()) / 2);
+            // a third of the force to each corner, from a velocity that is a third of each corner's
+            matrix.add_point(std::array{a, b, c}, std::array{1.0 / 3, 1.0 / 3, 1.0 / 3},
+                             modes.eigenvectors() * modes.eigenvalues().cwiseMax(0.0).asDiagonal() *
+                                 modes.eigenvectors().transpose());
+        }
+    }
+
 private:
+    struct Side {
+        double twice_area;  // [m^2]
+        Vec3 normal;        // unit; none without area
+    };
+    Side side_of(In x, Eigen::Index t) const {
+        const Vec3 a = x.col(faces_(0, t)), b = x.col(faces_(1, t)), c = x.col(faces_(2, t));
+        const Vec3 normal = (b - a).cross(c - a);
+        const double twice_area = normal.norm();
+        return {twice_area, twice_area > 0 ? Vec3(normal / twice_area) : Vec3::Zero()};
+    }
+
     static constexpr double flutter_speed = 20;  // allowance for the cloth's own speed in the bound [m/s]
     Faces faces_;
     AirDescription air_;
