@@ -31,6 +31,11 @@ struct Barrier {
         const double u = gap / thickness;
         return strength / thickness * (1 / (u * u) - 1);
     }
+    double stiffness_slope(double gap) const {  // psi''' per area [N/m^2 per m^2]; needs 0 < gap
+        if (gap >= thickness) return 0;
+        const double u = gap / thickness;
+        return -2 * strength / (thickness * thickness * u * u * u);
+    }
 };
 
 }  // namespace drape

@@ -82,6 +82,18 @@ ObstacleContact::Result Contact::add_all(In x, In v, double time, Out f) {
     return all;
 }
 
+void Contact::add_couplings(Couplings& couplings) const {
+    for (const ObstacleContact& pair : pairs_) pair.add_couplings(couplings);
+}
+
+void Contact::add_stiffness(In x, In v, double time, BlockMatrix& k) const {
+    for (const ObstacleContact& pair : pairs_) pair.add_stiffness(x, v, time, k);
+}
+
+void Contact::add_damping(In x, In v, double time, BlockMatrix& b) const {
+    for (const ObstacleContact& pair : pairs_) pair.add_damping(x, v, time, b);
+}
+
 ContactWork Contact::rub(Points& v, double h) const {
     ContactWork all;
     for (const ObstacleContact& pair : pairs_) {

@@ -22,6 +22,11 @@ public:
     double energy(In x, double time) const;
     void add_conservative(In x, double time, Out f) const;
     ObstacleContact::Result add_all(In x, In v, double time, Out f);
+    // for implicit methods, as in ObstacleContact
+    void add_couplings(Couplings& couplings) const;
+    void add_stiffness(In x, In v, double time, BlockMatrix& k) const;
+    void add_damping(In x, In v, double time, BlockMatrix& b) const;
+
     ContactWork rub(Points& v, double h) const;
     double least_distance(In x, double time) const;
 

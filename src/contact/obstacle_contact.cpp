@@ -10,7 +10,6 @@ namespace drape {
 namespace {
 
 constexpr int finest_level = 12;
-constexpr double damping_ratio = 0.5;      // of critical, in the normal direction
 constexpr double expected_stretch = 1.05;  // contact points may move apart by this
 
 double longest_edge(const Cloth& cloth) {
@@ -30,12 +29,6 @@ double stretch_stiffness_per_area(const Cloth& cloth) {
     double sum = 0;
     for (const Spring& edge : cloth.network.edges) sum += 4 * edge.stiffness;
     return sum / cloth.area.sum();
-}
-
-Vec3 position(const ContactPoint& point, const double* x) {
-    const auto at = [&](int k) { return Eigen::Map<const Vec3>(x + 3 * point.vertex[k]); };
-    if (point.corners == 1) return at(0);
-    return point.weight[0] * at(0) + point.weight[1] * at(1) + point.weight[2] * at(2);
 }
 
 void push(const ContactPoint& point, const Vec3& force, double* f) {
@@ -85,11 +78,16 @@ SurfaceSample ObstacleContact::sample(const Pose& pose, const Vec3& p) const {
     return s;
 }
 
+double ObstacleContact::damping_at(double stiffness) const {
+    constexpr double damping_ratio = 0.5;  // of critical, in the normal direction
+    return 2 * damping_ratio * std::sqrt(area_density_ * stiffness);
+}
+
 void ObstacleContact::gather(In x, double time, double way) {
     const Pose pose = obstacle_.motion.at(time).pose;
     near_.clear();
     for (size_t i = 0; i < points_.size(); ++i)
-        if (sample(pose, position(points_[i], x.data())).distance < offset_ + barrier_.thickness + way)
+        if (sample(pose, value_at(points_[i], x.data())).distance < offset_ + barrier_.thickness + way)
             near_.push_back(static_cast<int>(i));
 }
 
@@ -98,7 +96,7 @@ double ObstacleContact::energy(In x, double time) const {
     double energy = 0;
     for (const int i : near_) {
         const ContactPoint& point = points_[static_cast<size_t>(i)];
-        energy += point.area * barrier_.energy(sample(pose, position(point, x.data())).distance - offset_);
+        energy += point.area * barrier_.energy(sample(pose, value_at(point, x.data())).distance - offset_);
     }
     return energy;
 }
@@ -107,7 +105,7 @@ void ObstacleContact::add_conservative(In x, double time, Out f) const {
     const Pose pose = obstacle_.motion.at(time).pose;
     for (const int i : near_) {
         const ContactPoint& point = points_[static_cast<size_t>(i)];
-        const SurfaceSample s = sample(pose, position(point, x.data()));
+        const SurfaceSample s = sample(pose, value_at(point, x.data()));
         const double gap = s.distance - offset_;
         if (gap >= barrier_.thickness || gap <= 0) continue;  // crossing is caught by add_all
         push(point, point.area * barrier_.pressure(gap) * s.normal, f.data());
@@ -120,7 +118,7 @@ ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f)
     Result result;
     for (const int i : near_) {
         const ContactPoint& point = points_[static_cast<size_t>(i)];
-        const Vec3 at = position(point, x.data());
+        const Vec3 at = value_at(point, x.data());
         const SurfaceSample s = sample(moving.pose, at);
         const double gap = s.distance - offset_;
         result.least_distance = std::min(result.least_distance, s.distance);
@@ -129,14 +127,14 @@ ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f)
             continue;
         }
         const Vec3 surface_velocity = obstacle_.motion.moves() ? moving.velocity_at(at) : Vec3::Zero();
-        const double opening = s.normal.dot(position(point, v.data()) - surface_velocity);
+        const double opening = s.normal.dot(value_at(point, v.data()) - surface_velocity);
         // a step may use up the way to the barrier and a quarter of what is left inside it
         const double room = std::max(gap - barrier_.thickness, 0.0) + std::min(gap, barrier_.thickness) / 4;
         result.limits.closing_rate = std::max(result.limits.closing_rate, -opening / room);
         if (gap >= barrier_.thickness) continue;
 
         const double stiffness = barrier_.stiffness(gap), pressure = barrier_.pressure(gap);
-        const double damping = 2 * damping_ratio * std::sqrt(area_density_ * stiffness);
+        const double damping = damping_at(stiffness);
         const double total = std::max(pressure - damping * opening, 0.0);
         push(point, point.area * total * s.normal, f.data());
         touches_.push_back({&point, s.normal, surface_velocity, point.area * total, point.area * stiffness,
@@ -170,7 +168,7 @@ ContactWork ObstacleContact::rub(Points& v, const Model& model, double h) const 
     if (obstacle_.friction == 0) return work;
     for (const Touch& touch : touches_) {
         const ContactPoint& point = *touch.point;
-        const Vec3 relative = position(point, v.data()) - touch.surface_velocity;
+        const Vec3 relative = value_at(point, v.data()) - touch.surface_velocity;
         const Vec3 sliding = relative - relative.dot(touch.normal) * touch.normal;
         const double speed = sliding.norm();
         if (speed == 0) continue;
@@ -216,7 +214,7 @@ double ObstacleContact::lift_out(Points& x, const Model& model, double most) con
         move.setZero();
         length.setZero();
         for (const ContactPoint& point : points_) {
-            const SurfaceSample s = sample(pose, position(point, x.data()));
+            const SurfaceSample s = sample(pose, value_at(point, x.data()));
             if (s.distance < -most)
                 throw Error(cat("cloth starts ", -s.distance, " m inside the ", obstacle_.kind,
                                 " (move one of them: at most ", most, " m is put right)"));

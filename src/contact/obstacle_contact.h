@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "cloth/block_matrix.h"
 #include "contact/barrier.h"
 #include "contact/sampling.h"
 #include "obstacle/obstacle.h"
@@ -52,6 +53,12 @@ public:
     // Adds barrier and damping; keeps the normal forces for friction.
     Result add_all(In x, In v, double time, Out f);
 
+    // For implicit methods (obstacle_contact_matrices.cpp): which vertices contact couples, K += -df/dx and
+    // B += -df/dv, symmetric.
+    void add_couplings(Couplings& couplings) const;
+    void add_stiffness(In x, In v, double time, BlockMatrix& k) const;
+    void add_damping(In x, In v, double time, BlockMatrix& b) const;
+
     // Changes velocities by the friction impulses of a time h under the last add_all's normal forces.
     ContactWork rub(Points& v, const Model& model, double h) const;
 
@@ -78,6 +85,16 @@ private:
     // Gershgorin: each vertex's row sums over all its points in contact
     void limit_modes(ContactLimits& limits);
     SurfaceSample sample(const Pose& pose, const Vec3& p) const;
+    double damping_at(double stiffness) const;  // b per area, of the barrier's stiffness per area
+
+    struct Press {  // a point that presses on the obstacle
+        const ContactPoint* point;
+        Vec3 at, normal;
+        double gap, opening;  // [m], [m/s]
+        double pressure;      // damping included [Pa]
+    };
+    template <class Visit>
+    void each_press(In x, In v, const MovingPose& moving, Visit visit) const;
 
     Obstacle obstacle_;
     Faces faces_;  // columns of the State

@@ -16,6 +16,13 @@ struct ContactPoint {
     int corners;          // how many vertices have a weight: 1, 2 or 3
 };
 
+// Where the point is, or how fast: of three coordinates per vertex.
+inline Vec3 value_at(const ContactPoint& point, const double* x) {
+    const auto at = [&](int k) { return Eigen::Map<const Vec3>(x + 3 * point.vertex[k]); };
+    if (point.corners == 1) return at(0);
+    return point.weight[0] * at(0) + point.weight[1] * at(1) + point.weight[2] * at(2);
+}
+
 // The vertices (level 1), and for higher levels the lattice points that cut each edge into `level` parts,
 // edges and faces shared. Points that only pinned vertices carry are left out: they cannot move.
 std::vector<ContactPoint> contact_points(const Model& model, const Cloth& cloth, int level);

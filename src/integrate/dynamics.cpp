@@ -91,6 +91,23 @@ double Dynamics::potential_energy(In x, double time) const {
     return energy;
 }
 
+Couplings Dynamics::couplings() const {
+    Couplings couplings;
+    for (const ActiveForce& active : forces_) active.force->add_couplings(couplings);
+    if (contact_) contact_->add_couplings(couplings);
+    return couplings;
+}
+
+void Dynamics::add_stiffness(In x, In v, double time, BlockMatrix& k) const {
+    for (const ActiveForce& active : forces_) active.force->add_stiffness(x, k);
+    if (contact_) contact_->add_stiffness(x, v, time, k);
+}
+
+void Dynamics::add_damping(In x, In v, double time, BlockMatrix& b) const {
+    for (const ActiveForce& active : forces_) active.force->add_damping(x, v, time, b);
+    if (contact_) contact_->add_damping(x, v, time, b);
+}
+
 StepBound Dynamics::bound(In x) const {
     StepBound bound(model_.vertices());
     for (const ActiveForce& active : forces_) active.force->add_bound(x, bound);

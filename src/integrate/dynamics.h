@@ -52,6 +52,12 @@ public:
     double potential_energy(In x, double time) const;  // elastic, gravity, contact [J]
     StepBound bound(In x) const;                       // of all forces but contact
 
+    // For implicit methods: which vertices any force couples; K += -df/dx and B += -df/dv of all forces and
+    // contact, symmetric. Only contact's K depends on v.
+    Couplings couplings() const;
+    void add_stiffness(In x, In v, double time, BlockMatrix& k) const;
+    void add_damping(In x, In v, double time, BlockMatrix& b) const;
+
     const Model& model() const { return model_; }
     const std::vector<ActiveForce>& forces() const { return forces_; }
     Contact* contact() { return contact_.get(); }

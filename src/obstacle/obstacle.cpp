@@ -27,6 +27,17 @@ constexpr std::array kinds{
 
 }  // namespace
 
+Mat3 curvature(const Solid& solid, const Vec3& p) {
+    // relative errors of (step / radius)^2 and of round-off / step balance for radii of millimetres and more
+    constexpr double step = 1e-6;
+    Mat3 hessian;
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 offset = step * Vec3::Unit(k);
+        hessian.col(k) = (solid.sample(p + offset).normal - solid.sample(p - offset).normal) / (2 * step);
+    }
+    return (hessian + hessian.transpose()) / 2;
+}
+
 std::span<const SolidKind> solid_kinds() {
     return kinds;
 }

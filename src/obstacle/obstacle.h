@@ -39,6 +39,10 @@ public:
     virtual Mesh surface(double extent) const = 0;
 };
 
+// The Hessian of the distance at p [1/m]: the principal curvatures of the surface of equal distance. By
+// central differences of the normal; where the distance has a crease it is that of either side, or large.
+Mat3 curvature(const Solid& solid, const Vec3& p);
+
 struct SolidKind {
     std::string_view name;
     std::string_view summary;

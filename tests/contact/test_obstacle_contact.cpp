@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "support/gradient.h"
+#include "support/matrices.h"
 #include "support/touching.h"
 
 using namespace drape;
@@ -173,5 +174,49 @@ TEST_CASE("the least distance of a cloth is that of a fine lattice over its tria
         // skipping far triangles loses nothing; what is left is half a cell of the lattice
         CHECK(found == Approx(lattice_distance(faces, x, obstacle, t.time, 2 * t.contact.level() + 2)));
         CHECK(found == Approx(lattice_distance(faces, x, obstacle, t.time, 40)).margin(2e-3));
+    }
+}
+
+TEST_CASE("contact's stiffness and damping are the derivatives of its force, on every obstacle",
+          "[contact]") {
+    unsigned seed = 90;
+    for (const auto& [name, obstacle] : every_obstacle()) {
+        Touching t(obstacle, ++seed);
+        CAPTURE(name);
+        Couplings couplings;
+        t.contact.add_couplings(couplings);
+        BlockMatrix k(t.model, couplings), b = k;
+        const auto force = [&](In x, In v) {
+            Points f = Points::Zero(3, x.cols());
+            t.contact.add_all(x, v, t.time, f);
+            return f;
+        };
+        // a cloth that goes with the obstacle feels no damping
+        const MovingPose moving = obstacle.motion.at(t.time);
+        Points along(3, t.x.cols());
+        for (Eigen::Index i = 0; i < t.x.cols(); ++i) along.col(i) = moving.velocity_at(t.x.col(i));
+        t.contact.add_stiffness(t.x, along, t.time, k);
+        const Eigen::MatrixXd still = minus_jacobian(
+            [&](In y) {
+                Points f = Points::Zero(3, y.cols());
+                t.contact.add_conservative(y, t.time, f);
+                return f;
+            },
+            t.x, 1e-6, t.model);
+        CHECK((dense(k, t.x.cols()) - still).norm() < 1e-6 * still.norm());
+
+        t.contact.add_damping(t.x, t.v, t.time, b);
+        const Eigen::MatrixXd damped =
+            minus_jacobian([&](In w) { return force(t.x, w); }, t.v, 1e-5, t.model);
+        CHECK((dense(b, t.x.cols()) - damped).norm() <= 1e-8 * damped.norm());
+
+        // with damping, all but the normals' turning; a plane's does not turn
+        if (name.starts_with("plane") && !obstacle.motion.moves()) {
+            k.set_zero();
+            t.contact.add_stiffness(t.x, t.v, t.time, k);
+            const Eigen::MatrixXd both =
+                minus_jacobian([&](In y) { return force(y, t.v); }, t.x, 1e-6, t.model);
+            CHECK((dense(k, t.x.cols()) - both).norm() < 1e-6 * both.norm());
+        }
     }
 }
