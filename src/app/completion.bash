@@ -12,7 +12,8 @@ _drape() {
         --out) mapfile -t COMPREPLY < <(compgen -d -- "$word") && return ;;
         --cache | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
         --method)
-            mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada" -- "$word")
+            mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada srkn4 srkn6
+                rk4 embedded_rk" -- "$word")
             return
             ;;
         --step | --threads | --set | --frames | --size) return ;;

@@ -35,8 +35,9 @@ void list_methods() {
     row("auto", "drape chooses, and the report says why");
     for (const Method& method : methods()) {
         row(method.name, method.summary);
-        row("", cat("order ", method.order, ", with damping or contact ", method.order_with_damping, "; ",
-                    method.sweeps, method.sweeps == 1 ? " force sweep " : " force sweeps ",
+        const std::string damped = method.conservative_only() ? "refused" : cat(method.order_with_damping);
+        row("", cat("order ", method.order, ", with damping or contact ", damped, "; ", method.sweeps,
+                    method.sweeps == 1 ? " force sweep " : " force sweeps ",
                     method.is_implicit() ? "a Newton iteration" : "a step"));
         row("", cat("stable: ", method.limit));
         row("", cat("keeps: ", method.conserves));

@@ -1,15 +1,20 @@
 #include "integrate/dynamics.h"
 
+#include <algorithm>
+
 #include "base/timer.h"
 
 namespace drape {
 
 Dynamics::Dynamics(const Model& model, std::vector<ActiveForce> forces, std::unique_ptr<Contact> contact)
     : model_(model), forces_(std::move(forces)), contact_(std::move(contact)) {
-    conservative_ = contact_ == nullptr;
+    std::string dissipating;
     for (const ActiveForce& active : forces_)
-        conservative_ = conservative_ && active.force->is_conservative();
-    for (const PinGroup& group : model.pins) conservative_ = conservative_ && !group.motion.moves();
+        if (!active.force->is_conservative()) dissipating += (dissipating.empty() ? "" : ", ") + active.stage;
+    if (!dissipating.empty()) losses_.push_back("damping or wind (" + dissipating + ")");
+    if (contact_) losses_.push_back("contact");
+    const auto moves = [](const PinGroup& group) { return group.motion.moves(); };
+    if (std::any_of(model.pins.begin(), model.pins.end(), moves)) losses_.push_back("moving pins");
     for (int i = 0; i < model.vertices(); ++i)
         if (model.inverse_mass[i] == 0) pinned_.push_back(i);
 }

@@ -46,7 +46,9 @@ public:
 
     // true if no force depends on velocity, nothing moves by itself and there is no contact: energy is
     // conserved
-    bool is_conservative() const { return conservative_; }
+    bool is_conservative() const { return losses_.empty(); }
+    // what is there of such things, in words
+    const std::vector<std::string>& losses() const { return losses_; }
 
     double kinetic_energy(In v) const;                 // of free vertices [J]
     double potential_energy(In x, double time) const;  // elastic, gravity, contact [J]
@@ -74,7 +76,7 @@ private:
     const Model& model_;
     std::vector<ActiveForce> forces_;
     std::unique_ptr<Contact> contact_;
-    bool conservative_ = true;
+    std::vector<std::string> losses_;
     std::vector<int> pinned_;
     Power power_;
     EnergyFlow flow_;

@@ -8,10 +8,18 @@ namespace drape {
 std::unique_ptr<Integrator> make_symplectic_euler();
 std::unique_ptr<Integrator> make_verlet();
 std::unique_ptr<Integrator> make_takahashi_imada();
+std::unique_ptr<Integrator> make_srkn4();
+std::unique_ptr<Integrator> make_srkn6();
+std::unique_ptr<Integrator> make_rk4();
+std::unique_ptr<Integrator> make_embedded_rk();
 
 double symplectic_euler_longest_step(const Spectrum&);
 double verlet_longest_step(const Spectrum&);
 double takahashi_imada_longest_step(const Spectrum&);
+double srkn4_longest_step(const Spectrum&);
+double srkn6_longest_step(const Spectrum&);
+double rk4_longest_step(const Spectrum&);
+double embedded_rk_longest_step(const Spectrum&);
 
 // v += h a, then friction's impulses of the time h
 void kick(Dynamics& dynamics, State& state, const Points& a, double h);

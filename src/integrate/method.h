@@ -45,12 +45,15 @@ struct Method {
     std::string_view conserves;  // what it keeps where the physics does
     std::string_view avoid;      // when not to use it
     int order;                   // with conservative forces
-    int order_with_damping;      // with damping, contact or anything else that depends on velocity or time
+    int order_with_damping;      // with damping, contact or anything else that depends on velocity or time;
+                                 // 0: the method is for scenes without
     int sweeps;                  // force evaluations a step; for implicit methods, a Newton iteration
     // that is stable for every mode within the spectrum [s]; infinite if every step is
     double (*longest_step)(const Spectrum&);
     std::unique_ptr<Integrator> (*make)();
+    bool controls_step = false;  // cuts a step that it finds too long, so that none is unstable
 
+    bool conservative_only() const { return order_with_damping == 0; }
     bool is_implicit() const { return longest_step({1, 0}) == INFINITY; }
 };
 

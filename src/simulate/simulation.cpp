@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/timer.h"
+#include "base/names.h"
 #include "simulate/reach.h"
 #include "simulate/strain.h"
 
@@ -38,6 +39,9 @@ Simulation::Simulation(Setup setup) : setup_(std::move(setup)), state_(setup_.st
     } else {
         method_ = &method_named(setup_.method);
         chosen_because_ = "asked for";
+        if (method_->conservative_only() && !conservative)
+            throw Error(cat("method ", method_->name, " is for scenes that conserve energy; this one has ",
+                            joined(dynamics_->losses()), " (verlet, rk4 and embedded_rk take any)"));
     }
     integrator_ = method_->make();
     choose_step();

@@ -54,7 +54,8 @@ struct Energies {
 
 class Simulation {
 public:
-    // Throws Error where cloth starts inside an obstacle. `threads` is not used to change any result.
+    // Throws Error where cloth starts inside an obstacle or the method is not for such a scene. `threads` is
+    // not used to change any result.
     explicit Simulation(Setup setup);
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;

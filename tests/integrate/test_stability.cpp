@@ -36,13 +36,21 @@ TEST_CASE("without damping every method is stable just below its longest step an
         CAPTURE(method.name);
         const double h = method.longest_step(fastest);
         CHECK(farthest(method, fastest, 0.999 * h, 20000) < 40);  // measured 21
-        CHECK(farthest(method, fastest, 1.001 * h, 20000) >= 1e6);
+        // where the limit begins a narrow band, it is one of these that grows
+        double most = 0;
+        for (const double beyond : {1.0001, 1.0003, 1.001})
+            most = std::max(most, farthest(method, fastest, beyond * h, 100000));
+        if (method.controls_step)
+            CHECK(most < 40);
+        else
+            CHECK(most >= 1e6);
     }
 }
 
 TEST_CASE("every mode within the spectrum is stable at the longest step, however damped", "[integrate]") {
     constexpr double omega = 3.7;
     for (const Method& method : methods()) {
+        if (method.conservative_only()) continue;
         for (const double ratio : {0.003, 0.03, 0.1, 0.3, 1.0, 3.0, 30.0}) {
             const Spectrum spectrum{omega, 2 * ratio * omega};
             const double h = method.is_implicit() ? 1 / omega : method.longest_step(spectrum);
@@ -69,15 +77,16 @@ TEST_CASE("with damping the limits of Verlet and of symplectic Euler are sharp",
     }
 }
 
-TEST_CASE("every method keeps the energy of an undamped spring over 1000 periods", "[integrate]") {
+TEST_CASE("every symplectic method keeps the energy of an undamped spring over 1000 periods", "[integrate]") {
     constexpr double omega = 5, rest_length = 1;
     struct Bound {
         std::string_view method;
         double most;
     };
-    // measured at 20 steps a period: 0.092, 0.012, 1.1e-4
+    // measured at 20 steps a period: 0.092, 0.012, 1.1e-4, 6.5e-8, 1.05e-10
     for (const Bound& bound :
-         {Bound{"symplectic_euler", 0.12}, Bound{"verlet", 0.015}, Bound{"takahashi_imada", 1.5e-4}}) {
+         {Bound{"symplectic_euler", 0.12}, Bound{"verlet", 0.015}, Bound{"takahashi_imada", 1.5e-4},
+          Bound{"srkn4", 1e-7}, Bound{"srkn6", 1.5e-10}}) {
         Oscillator spring({omega, 0}, rest_length);
         State state = Oscillator::at({1.2, 0, 0}, {0.1, 0.8, 0});  // swings round and lengthens
         const double start = spring.energy(state), h = 2 * std::numbers::pi / omega / 20;
@@ -94,6 +103,6 @@ TEST_CASE("every method keeps the energy of an undamped spring over 1000 periods
         }
         CAPTURE(bound.method);
         CHECK(early < bound.most);
-        CHECK(late < 1.01 * early);  // no growth: measured 1.00000
+        CHECK(late < 1.01 * early);  // no growth: measured 1.0000
     }
 }
