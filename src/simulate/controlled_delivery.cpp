@@ -38,6 +38,7 @@ ControlledDelivery::ControlledDelivery(Setup setup, const DeliveryOptions& optio
       frames_(options.frames > 0 ? options.frames : setup_.frames),
       tolerance_(*options.tolerance),
       shown_(setup_.start) {
+    mean_edge_ = mean_edge(setup_.model);
     account_.asked = tolerance_;
     account_.how = "whole passes with ever more steps, compared at every frame (Richardson)";
     start_pass(setup_.method, 1);
@@ -153,7 +154,9 @@ void ControlledDelivery::judge() {
         order = observed_order({row_steps_[n - 3], row_steps_[n - 2], row_steps_[n - 1]},
                                row_distance_[n - 3], row_distance_[n - 2], least_order, formal_order());
     share_ = error_share(now_.steps, before_.steps, order);
-    const double worst = share_ * row_distance_.back() + round_off(now_.x.back(), now_.steps);
+    const double apart = row_distance_.back();
+    const double worst =
+        stated_share(apart, share_, mean_edge_) * apart + round_off(now_.x.back(), now_.steps);
     double& last_error = account_.passes[account_.passes.size() - 2].error_rms;
     last_error = std::fmax(last_error, error_share(before_.steps, now_.steps, order) * row_distance_.back());
     account_.passes.back().error_rms = worst;
@@ -185,9 +188,10 @@ FrameReport ControlledDelivery::deliver() {
     if (!report.trouble.empty()) return report;
     if (k < distance_.size()) {
         const double least = round_off(now_.x[k], now_.steps);
-        report.error_rms = share_ * distance_[k].rms + least;
-        report.error_max = share_ * distance_[k].max + least;
-        vertex_error_ = vertex_errors(now_.x[k], before_.x[k], share_);
+        const double share = stated_share(distance_[k].rms, share_, mean_edge_);
+        report.error_rms = share * distance_[k].rms + least;
+        report.error_max = share * distance_[k].max + least;
+        vertex_error_ = vertex_errors(now_.x[k], before_.x[k], share);
         account_.rms = std::fmax(account_.rms, report.error_rms);
         account_.max = std::fmax(account_.max, report.error_max);
     }

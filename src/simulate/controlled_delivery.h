@@ -49,7 +49,7 @@ private:
 
     Setup setup_;
     int threads_, frames_;
-    double tolerance_;
+    double tolerance_, mean_edge_;  // [m]
     std::unique_ptr<Simulation> running_, twin_;
     Pass before_, now_;
     std::vector<double> floor_;         // per frame [m]

@@ -15,6 +15,19 @@ double error_share(double own, double other, double order) {
     return 1 / std::abs(std::pow(own / other, order) - 1);
 }
 
+double stated_share(double distance, double share, double edge) {
+    return share * distance <= edge ? share : std::min(share, std::max(2.0, edge / distance));
+}
+
+double mean_edge(const Model& model) {
+    double sum = 0, count = 0;
+    for (const Cloth& cloth : model.cloths) {
+        for (const Spring& edge : cloth.network.edges) sum += edge.rest_length;
+        count += static_cast<double>(cloth.network.edges.size());
+    }
+    return sum / count;
+}
+
 double observed_order(const std::array<double, 3>& steps, double first_distance, double second_distance,
                       double least, double most) {
     // the ratio grows with p: bisect

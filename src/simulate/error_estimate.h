@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "base/points.h"
+#include "cloth/model.h"
 
 namespace drape {
 
@@ -19,6 +19,15 @@ ErrorNorms distance_between(In a, In b);
 // own / other, whichever is the finer. Where the scene spoils the order (contact comes and goes, folds
 // buckle) a lower p claims more error.
 double error_share(double own, double other, double order);
+
+// Richardson's rule holds while passes run side by side. Where folds fall differently in one, they part until
+// their distance is that of any two runs, and no share of it is the step's error: each is then about that
+// distance from the truth. So once the rule claims more than the cloth's mean edge `edge`, twice the distance
+// is stated, if that is less. What to multiply a distance (RMS) by.
+double stated_share(double distance, double share, double edge);
+
+// Mean rest length of all edges of all cloths [m].
+double mean_edge(const Model& model);
 
 // The order p that three passes with numbers of steps n0 < n1 < n2 show: their distances' ratio is (h0^p -
 // h1^p) / (h1^p - h2^p). Kept between `least` and `most`.

@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "base/timer.h"
 #include "base/names.h"
+#include "base/timer.h"
 #include "simulate/reach.h"
 #include "simulate/strain.h"
 

@@ -22,6 +22,7 @@ StreamedDelivery::StreamedDelivery(Setup setup, const DeliveryOptions& options) 
         companion_ = std::make_unique<Simulation>(std::move(other));
     }
     delivered_ = std::make_unique<Simulation>(std::move(setup));
+    mean_edge_ = mean_edge(delivered_->model());
     account_.how = companion_ ? "a second pass with another step, beside the first (Richardson)"
                               : "not estimated: --no-estimate";
     account_.passes.resize(companion_ ? 2 : 1);
@@ -72,12 +73,17 @@ void StreamedDelivery::judge(FrameReport& delivered, const FrameReport& companio
                          : conservative ? method.order
                                         : method.order_with_damping;
     // contact may bring the numbers of steps together, or turn them round
-    const double other_steps = std::min(companion_steps_, 0.98 * steps_);
-    const double share = companion_steps_ > steps_
-                             ? error_share(steps_, std::max(companion_steps_, 1.02 * steps_), order)
-                             : error_share(steps_, other_steps, order);
+    const double other_steps = companion_steps_ > steps_ ? std::max(companion_steps_, 1.02 * steps_)
+                                                         : std::min(companion_steps_, 0.98 * steps_);
     const Points &x = delivered_->state().x, &y = companion_->state().x;
     const ErrorNorms apart = distance_between(x, y);
+    const double richardson = error_share(steps_, other_steps, order);
+    const double share = stated_share(apart.rms, richardson, mean_edge_);
+    if (share < richardson && !parted_) {
+        parted_ = true;
+        account_.how += cat("; from t = ", delivered.time,
+                            " s on the two have parted, and twice their distance is stated");
+    }
     const double least = round_off(x, steps_);
     delivered.error_rms = share * apart.rms + least;
     delivered.error_max = share * apart.max + least;
@@ -93,6 +99,7 @@ std::string StreamedDelivery::save() const {
     if (companion_) companion_->save(out);
     for (const double value : {steps_, companion_steps_, account_.rms, account_.max}) out.put(value);
     out.put(touched_);
+    out.put(parted_);
     return std::move(out).bytes();
 }
 
@@ -109,6 +116,7 @@ bool StreamedDelivery::restore(std::string_view bytes) {
     for (double* value : {&steps_, &companion_steps_, &account_.rms, &account_.max})
         *value = in.take<double>();
     touched_ = in.take<bool>();
+    parted_ = in.take<bool>();
     return in.at_end();
 }
 

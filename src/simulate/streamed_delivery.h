@@ -27,7 +27,9 @@ private:
     int threads_;
     std::unique_ptr<Simulation> delivered_, companion_;
     double steps_ = 0, companion_steps_ = 0;
+    double mean_edge_ = 0;  // [m]
     bool touched_ = false;  // contact was met
+    bool parted_ = false;   // the passes' folds fell differently
     Eigen::VectorXf vertex_error_;
     ErrorAccount account_;
 };

@@ -147,3 +147,12 @@ TEST_CASE("Richardson's share is exact for errors that are powers of the step", 
               Approx(order).epsilon(1e-6));
     }
 }
+
+TEST_CASE("where passes have parted, twice their distance is stated and not many times", "[simulate]") {
+    const double edge = 0.01;
+    CHECK(stated_share(1e-4, 6, edge) == 6);                    // Richardson's rule still holds
+    CHECK(stated_share(3e-3, 6, edge) * 3e-3 == Approx(edge));  // on the way
+    CHECK(stated_share(0.02, 6, edge) == 2);                    // parted
+    CHECK(stated_share(0.02, 0.8, edge) == 0.8);                // a rule that claims less stays
+    CHECK(mean_edge(swatch(1, 1).model) == Approx((4 + std::sqrt(2.0)) / 5));
+}
