@@ -3,13 +3,13 @@
 in vec3 world;
 in vec3 world_normal;
 in vec3 weave_at;  // metres along warp and weft, metres from the border
-in float strain_at;
+in float tint_at;
 
 uniform vec3 front, back, stripe;  // albedo
 uniform float thread_spacing;      // [m]
 uniform vec3 band;                 // the stripe runs from band.x to band.y metres inside the border; hem: band.z
-uniform float strain_range;        // 0: no strain colours
-layout(binding = 1) uniform sampler2D strain_colours;
+uniform float tinted;              // 1: colours tell a number of the vertices
+layout(binding = 1) uniform sampler2D tint_colours;
 layout(location = 0) out vec4 colour;
 
 // 1 between the two edges, antialiased.
@@ -39,7 +39,7 @@ void main() {
     vec3 side = gl_FrontFacing ? front : back, other = gl_FrontFacing ? back : front;
     // the band is woven through: on the back it shows in the front's colour
     vec3 albedo = mix(side, gl_FrontFacing ? stripe : front, striped) * woven.tone * (1.0 - 0.25 * hem);
-    if (strain_range > 0.0) albedo = vec3(0.42 * woven.tone);
+    if (tinted > 0.0) albedo = vec3(0.42 * woven.tone);
     vec3 dark_side = mix(other, stripe, striped);
 
     float nl = dot(m, l), nv = max(dot(n, v), 0.0), smooth_nl = dot(n, l);
@@ -63,8 +63,8 @@ void main() {
     vec3 shaded = albedo * woven.gap * (key * diffuse + sky) + key * (through + tint * (sheen + gleam)) +
                   tint * ambient_light(n) * (fuzz * 0.22 * light.x);
     colour = display(shaded);
-    if (strain_range > 0.0) {  // the map's colours, with just enough shade to read the form
-        vec3 told = textureLod(strain_colours, vec2(strain_at / strain_range * 0.5 + 0.5, 0.5), 0.0).rgb;
+    if (tinted > 0.0) {  // the map's colours, with just enough shade to read the form
+        vec3 told = textureLod(tint_colours, vec2(tint_at * 0.5 + 0.5, 0.5), 0.0).rgb;
         colour.rgb = to_srgb(told) * min(0.5 + 0.62 * colour.g, 1.06) * (gl_FrontFacing ? 1.0 : 0.8);
     }
 }

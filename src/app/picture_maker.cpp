@@ -13,22 +13,46 @@ namespace drape {
 
 namespace {
 
-struct OverlayName {
+constexpr double strain_range = 0.05;  // at the ends of the colour bar
+// of the error's scale, which is logarithmic [m]
+constexpr double least_error = 1e-6, most_error = 1e-1;
+
+ColourScale no_scale() {
+    return {"", {}, diverging_colour};
+}
+ColourScale strain_scale() {
+    return {"strain", {"-5 %", "0", "+5 %"}, diverging_colour};
+}
+ColourScale error_scale() {
+    return {"error mm", {"0.001", "0.3", "100"}, rising_colour};
+}
+
+// What [render] overlay may name.
+struct OverlayKind {
     std::string_view name;
     Overlay overlay;
+    ColourScale (*scale)();
 };
-constexpr std::array overlays{OverlayName{"none", Overlay::none}, OverlayName{"wire", Overlay::wire},
-                              OverlayName{"strain", Overlay::strain},
-                              OverlayName{"springs", Overlay::springs}};
+constexpr std::array overlays{
+    OverlayKind{"none", Overlay::none, no_scale}, OverlayKind{"wire", Overlay::wire, no_scale},
+    OverlayKind{"strain", Overlay::tint, strain_scale}, OverlayKind{"springs", Overlay::springs, no_scale},
+    OverlayKind{"error", Overlay::tint, error_scale}};
 
-constexpr double strain_range = 0.05;  // at the ends of the colour bar
+// Errors of a cloth's vertices on the scale; those not known are shown as none.
+Eigen::VectorXf error_tint(const Cloth& cloth, const Eigen::VectorXf& error) {
+    if (error.size() == 0) return Eigen::VectorXf::Constant(cloth.vertices(), -1);
+    const auto decades = static_cast<float>(std::log10(most_error / least_error));
+    const auto own = error.segment(cloth.first, cloth.vertices()).array() / static_cast<float>(least_error);
+    return (own.max(1e-6f).log10() / decades * 2 - 1).matrix();
+}
 
 RenderSettings settings_of(const SceneDescription& scene, const Simulation& simulation) {
     RenderSettings settings;
     settings.width = scene.look.size[0];
     settings.height = scene.look.size[1];
-    settings.overlay = find_named(overlays, "overlay", scene.look.overlay).overlay;
-    settings.strain_range = strain_range;
+    const OverlayKind& kind = find_named(overlays, "overlay", scene.look.overlay);
+    settings.overlay = kind.overlay;
+    settings.scale = kind.scale();
     settings.bounds = room_of(simulation);
     if (scene.look.camera)
         settings.camera = {scene.look.camera->from, scene.look.camera->at, scene.look.camera->fov_deg};
@@ -90,7 +114,7 @@ Segments springs_of(const Model& model, In x) {
 }  // namespace
 
 PictureMaker::PictureMaker(const SceneDescription& scene, const Simulation& simulation)
-    : overlay_(find_named(overlays, "overlay", scene.look.overlay).overlay),
+    : overlay_(scene.look.overlay),
       renderer_(settings_of(scene, simulation), cloths_of(scene, simulation), solids_of(scene, simulation)) {}
 
 Image PictureMaker::draw(const Delivery& delivery) {
@@ -99,11 +123,13 @@ Image PictureMaker::draw(const Delivery& delivery) {
     const State& state = delivery.state();
     for (const Cloth& cloth : simulation.model().cloths) {
         frame.cloth.emplace_back(state.x.middleCols(cloth.first, cloth.vertices()));
-        if (overlay_ == Overlay::strain) frame.strain.push_back(vertex_strain(cloth, state.x));
+        if (overlay_ == "strain")
+            frame.tint.push_back(vertex_strain(cloth, state.x) / static_cast<float>(strain_range));
+        if (overlay_ == "error") frame.tint.push_back(error_tint(cloth, delivery.vertex_error()));
     }
     for (const Obstacle& obstacle : simulation.obstacles())
         frame.solid.push_back(obstacle.motion.at(state.time).pose);
-    if (overlay_ == Overlay::springs) frame.segments = springs_of(simulation.model(), state.x);
+    if (overlay_ == "springs") frame.segments = springs_of(simulation.model(), state.x);
     return renderer_.draw(frame);
 }
 

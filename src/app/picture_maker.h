@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "base/image.h"
 #include "render/renderer.h"
@@ -18,7 +19,7 @@ public:
     std::string renderer() const { return renderer_.description(); }
 
 private:
-    Overlay overlay_;
+    std::string overlay_;
     Renderer renderer_;
 };
 

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "base/error.h"
-#include "render/colour_map.h"
 #include "render/lettering.h"
 
 namespace drape {
@@ -16,14 +14,9 @@ void paint(Image& image, int x, int y, const Colour& colour) {
         image.pixel(x, y)[c] = static_cast<std::uint8_t>(std::lround(255 * colour[c]));
 }
 
-std::string per_cent(double strain) {
-    const double value = std::round(strain * 1e4) / 1e2;
-    return cat(value > 0 ? "+" : "", value == 0 ? 0 : value, value == 0 ? "" : " %");
-}
-
 }  // namespace
 
-void draw_colour_bar(Image& image, double range) {
+void draw_colour_bar(Image& image, const ColourScale& scale) {
     if (image.width < 120 || image.height < 90) return;
     const float size = std::max(0.019f * static_cast<float>(image.height), 6.0f);
     const int margin = static_cast<int>(2.2f * size), thick = std::max(static_cast<int>(0.8f * size), 4);
@@ -33,7 +26,7 @@ void draw_colour_bar(Image& image, double range) {
         for (int x = left - 1; x <= left + length; ++x) {
             const bool rim = y < top || y == top + thick || x < left || x == left + length;
             const float t = 2 * (static_cast<float>(x - left) + 0.5f) / static_cast<float>(length) - 1;
-            paint(image, x, y, rim ? Colour{0.16f, 0.18f, 0.22f} : diverging_colour(t));
+            paint(image, x, y, rim ? Colour{0.16f, 0.18f, 0.22f} : scale.colour(t));
         }
 
     const Pen pen{size, {0.10f, 0.12f, 0.16f}, 0.92f};
@@ -43,10 +36,10 @@ void draw_colour_bar(Image& image, double range) {
         for (int y = top + thick; y < top + thick + static_cast<int>(0.4f * size); ++y)
             paint(image, at, y, {0.16f, 0.18f, 0.22f});
         if (part == 0.5 || part == -0.5) continue;
-        const std::string text = per_cent(part * range);
+        const std::string& text = scale.label[static_cast<size_t>(std::lround(part + 1))];
         draw_text(image, text, static_cast<float>(at) - text_width(text, size) / 2, below, pen);
     }
-    draw_text(image, "strain", static_cast<float>(left), static_cast<float>(top) - 0.7f * size, pen);
+    draw_text(image, scale.title, static_cast<float>(left), static_cast<float>(top) - 0.7f * size, pen);
 }
 
 }  // namespace drape

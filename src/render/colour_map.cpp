@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace drape {
 
@@ -43,12 +44,18 @@ Colour diverging_colour(float t) {
                       middle_hue + (end.h - middle_hue) * strength});
 }
 
-GlName make_colour_texture(const Gl& gl) {
+Colour rising_colour(float t) {
+    const double strength = (std::clamp(static_cast<double>(t), -1.0, 1.0) + 1) / 2;
+    const double lightness = 93 - 68 * strength;
+    const double chroma = 22 + 52 * std::sin(std::numbers::pi * std::min(strength * 0.85 + 0.05, 1.0));
+    return colour_of({std::hypot(lightness, chroma), std::atan2(chroma, lightness), 1.7 - 2.5 * strength});
+}
+
+GlName make_colour_texture(const Gl& gl, Colour (*map)(float)) {
     constexpr int texels = 256;
     std::vector<float> light;
     for (int i = 0; i < texels; ++i) {
-        const Eigen::Vector3f colour =
-            linear_light(diverging_colour(2 * (static_cast<float>(i) + 0.5f) / texels - 1));
+        const Eigen::Vector3f colour = linear_light(map(2 * (static_cast<float>(i) + 0.5f) / texels - 1));
         light.insert(light.end(), {colour[0], colour[1], colour[2], 1});
     }
     GlName texture = make_texture(gl, GL_RGBA32F, {texels, 1});

@@ -37,7 +37,7 @@ ClothDrawable::ClothDrawable(const Gl& gl, const DrawnCloth& cloth)
       surface_(*cloth.mesh, with_weave_coordinates(*cloth.mesh), smoothing_levels(cloth.mesh->triangles())),
       moving_(gl),
       weave_(gl),
-      strain_(gl),
+      tint_(gl),
       indices_(gl) {
     const DrawnMesh& drawn = surface_.drawn();
     const Eigen::VectorXf border = border_distance(surface_.rest(), surface_.faces());
@@ -52,16 +52,16 @@ ClothDrawable::ClothDrawable(const Gl& gl, const DrawnCloth& cloth)
     weave_.fill(gl, weave, GL_STATIC_DRAW);
     indices_.fill_bytes(gl, drawn.faces.data(), static_cast<size_t>(drawn.faces.size()) * sizeof(int),
                         GL_STATIC_DRAW);
-    strain_.fill(gl, std::vector<float>(drawn.vertex.size(), 0.0f));
+    tint_.fill(gl, std::vector<float>(drawn.vertex.size(), 0.0f));
     vertices_ = make_vertex_array(gl,
                                   {{0, &moving_, 3, 6 * floats, 0},
                                    {1, &moving_, 3, 6 * floats, 3 * floats},
                                    {2, &weave_, 3},
-                                   {3, &strain_, 1}},
+                                   {3, &tint_, 1}},
                                   &indices_);
 }
 
-void ClothDrawable::update(const Gl& gl, In simulated, const Eigen::VectorXf& strain) {
+void ClothDrawable::update(const Gl& gl, In simulated, const Eigen::VectorXf& tint) {
     DRAPE_ASSERT(simulated.cols() == mesh_->vertices());
     x_ = surface_.positions(simulated);
     const Points normals = vertex_normals(x_, surface_.faces());
@@ -73,12 +73,12 @@ void ClothDrawable::update(const Gl& gl, In simulated, const Eigen::VectorXf& st
         append(moving, normals.col(v));
     }
     moving_.fill(gl, moving);
-    if (strain.size() == 0) return;
-    DRAPE_ASSERT(strain.size() == mesh_->vertices());
-    const Eigen::VectorXf fine = surface_.spread(strain);
+    if (tint.size() == 0) return;
+    DRAPE_ASSERT(tint.size() == mesh_->vertices());
+    const Eigen::VectorXf fine = surface_.spread(tint);
     std::vector<float> values;
     for (const int v : vertex) values.push_back(fine[v]);
-    strain_.fill(gl, values);
+    tint_.fill(gl, values);
 }
 
 void ClothDrawable::set_look(const Program& program, double pixel) const {

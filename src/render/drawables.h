@@ -15,8 +15,8 @@ class ClothDrawable {
 public:
     ClothDrawable(const Gl& gl, const DrawnCloth& cloth);
 
-    // `simulated`: a column per simulated vertex; `strain`: one each, or none.
-    void update(const Gl& gl, In simulated, const Eigen::VectorXf& strain);
+    // `simulated`: a column per simulated vertex; `tint`: one each, or none.
+    void update(const Gl& gl, In simulated, const Eigen::VectorXf& tint);
     // `pixel`: what a pixel spans where the camera looks [m].
     void set_look(const Program& program, double pixel) const;
     void draw(const Gl& gl) const;
@@ -30,7 +30,7 @@ private:
     SmoothSurface surface_;
     Points x_;  // of the last update
     float band_scale_ = 1;
-    Buffer moving_, weave_, strain_, indices_;
+    Buffer moving_, weave_, tint_, indices_;
     GlName vertices_;
 };
 

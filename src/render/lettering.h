@@ -14,7 +14,8 @@ struct Pen {
     float opacity = 1;
 };
 
-// Width of `text` [pixels]. Knows digits, space and + - . % and the lower-case letters of "strain".
+// Width of `text` [pixels]. Knows digits, space and + - . % and the lower-case letters of "strain" and "error
+// mm".
 float text_width(std::string_view text, float size);
 
 // Draws with the lower left corner of the first character at (x, y), y growing downwards.

@@ -1,6 +1,7 @@
 // What the renderer is told: surfaces, colours, a camera. It knows nothing of simulation.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,8 +37,15 @@ struct DrawnSolid {
     bool is_ground = false;  // a plane: drawn as ground with grid lines, fading into the backdrop
 };
 
-// wire: the simulated triangles; strain: a colour per vertex with a colour bar; springs: line segments.
-enum class Overlay { none, wire, strain, springs };
+// wire: the simulated triangles; tint: a colour per vertex with a colour bar; springs: line segments.
+enum class Overlay { none, wire, tint, springs };
+
+// What the colours of a tint mean.
+struct ColourScale {
+    std::string title;
+    std::array<std::string, 3> label;     // at -1, 0 and 1
+    Colour (*colour)(float t) = nullptr;  // t from -1 to 1, clamped (colour_map.h)
+};
 
 struct Segments {  // overlay springs: pairs of points, a colour per segment
     Points ends;   // 3 x 2S: columns 2s and 2s+1 are the ends of segment s
@@ -48,8 +56,8 @@ struct RenderSettings {
     int width = 1280, height = 720;
     Camera camera;
     Overlay overlay = Overlay::none;
-    double strain_range = 0.05;  // the colour bar's end [-]
-    bool ground = true;          // draw a ground at `ground_height` if no solid is one
+    ColourScale scale;   // of Overlay::tint
+    bool ground = true;  // draw a ground at `ground_height` if no solid is one
     double ground_height = 0;
     Eigen::AlignedBox3d bounds;  // of all that moves over the whole run: fits shadows
 };
@@ -58,8 +66,9 @@ struct RenderSettings {
 struct FrameInput {
     std::vector<Points> cloth;
     std::vector<Pose> solid;
-    std::vector<Eigen::VectorXf> strain;  // per cloth and simulated vertex, only read by Overlay::strain
-    Segments segments;                    // only read by Overlay::springs
+    // per cloth and simulated vertex, -1 to 1 on the scale; only read by Overlay::tint
+    std::vector<Eigen::VectorXf> tint;
+    Segments segments;  // only read by Overlay::springs
 };
 
 }  // namespace drape

@@ -47,7 +47,7 @@ struct Renderer::Parts {
     Targets targets;
     Buffer uniforms;
     GlName nothing;  // a vertex array without attributes, for full-screen passes
-    GlName strain_colours;
+    GlName tint_colours;
     std::vector<ClothDrawable> cloths;
     std::vector<SolidDrawable> solids;
     std::vector<GroundDrawable> grounds;
@@ -86,7 +86,7 @@ Renderer::Parts::Parts(const RenderSettings& wanted, std::unique_ptr<Context> ma
       targets(gl, settings.width, settings.height),
       uniforms(gl),
       nothing(make_vertex_array(gl, {})),
-      strain_colours(make_colour_texture(gl)),
+      tint_colours(make_colour_texture(gl, settings.scale.colour ? settings.scale.colour : diverging_colour)),
       lines(gl) {
     for (const DrawnCloth& cloth : drawn_cloths) cloths.emplace_back(gl, cloth);
     for (const DrawnSolid& solid : drawn_solids) {
@@ -101,9 +101,9 @@ Renderer::Parts::Parts(const RenderSettings& wanted, std::unique_ptr<Context> ma
 // Where things are this frame, what light falls on them, and the numbers all shaders share.
 void Renderer::Parts::update(const FrameInput& frame) {
     DRAPE_ASSERT(frame.cloth.size() == cloths.size() && frame.solid.size() == solids.size());
-    const bool strained = settings.overlay == Overlay::strain;
+    const bool tinted = settings.overlay == Overlay::tint;
     for (size_t c = 0; c < cloths.size(); ++c)
-        cloths[c].update(gl, frame.cloth[c], strained ? frame.strain.at(c) : Eigen::VectorXf());
+        cloths[c].update(gl, frame.cloth[c], tinted ? frame.tint.at(c) : Eigen::VectorXf());
     place_scene(frame);
 }
 
@@ -199,7 +199,7 @@ void Renderer::Parts::shade(const FrameInput& frame) const {
     begin(targets.colour_frame, settings.width, settings.height);
     gl.DepthMask(GL_FALSE);
     gl.DepthFunc(GL_EQUAL);
-    screen_pass(programs.backdrop, {targets.occlusion, strain_colours});
+    screen_pass(programs.backdrop, {targets.occlusion, tint_colours});
     const Eigen::Matrix4f here = Eigen::Matrix4f::Identity();
     programs.ground.use();
     programs.ground.set("model", here);
@@ -219,9 +219,7 @@ void Renderer::Parts::shade(const FrameInput& frame) const {
         2 * view.tan_y / settings.height * (settings.camera.at - settings.camera.from).norm();
     programs.cloth.use();
     programs.cloth.set("model", here);
-    programs.cloth.set("strain_range", settings.overlay == Overlay::strain
-                                           ? static_cast<float>(settings.strain_range)
-                                           : 0.0f);
+    programs.cloth.set("tinted", settings.overlay == Overlay::tint ? 1.0f : 0.0f);
     for (const ClothDrawable& cloth : cloths) {
         cloth.set_look(programs.cloth, pixel);
         cloth.draw(gl);
@@ -322,7 +320,7 @@ Image Renderer::draw(const FrameInput& frame) {
     p.draw_overlay(frame);
     Image image = p.read();
     p.gl.check("drawing a frame");
-    if (p.settings.overlay == Overlay::strain) draw_colour_bar(image, p.settings.strain_range);
+    if (p.settings.overlay == Overlay::tint) draw_colour_bar(image, p.settings.scale);
     return image;
 }
 

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -83,6 +84,23 @@ std::string number(const char* format, double value) {
 
 std::string millimetres(double metres) {
     return cat(number("%.3g", metres * 1e3), " mm");
+}
+
+// The error's curve over the frames in one line, a step of a block for each factor of ten.
+std::string error_curve(const std::vector<FrameReport>& frames) {
+    constexpr std::array<std::string_view, 8> block{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+    constexpr double least_decade = -8;  // 10 nm and below
+    constexpr size_t width = 60;
+    const size_t columns = std::min(width, frames.size());
+    std::string curve;
+    for (size_t c = 0; c < columns; ++c) {
+        const double error = frames[c * frames.size() / columns].error_rms;
+        if (std::isnan(error)) return "";
+        const double height = std::clamp(std::log10(error) - least_decade, 0.0, 7.0);
+        curve += block[static_cast<size_t>(height)];
+    }
+    return curve.empty() ? ""
+                         : cat("    over time, a step for each factor of ten, from 10 nm: ", curve, "\n");
 }
 
 std::string error_summary(const ErrorAccount& error) {
@@ -187,7 +205,7 @@ std::string report_summary(const RunReport& r) {
                     number("%.3g", r.least_distance() * 1e3), " mm to an obstacle\n");
     if (!r.frames.empty())
         text += cat("  largest strain at the end ", number("%.2f", 100 * r.frames.back().strain), " %\n");
-    return text + error_summary(r.error);
+    return text + error_summary(r.error) + error_curve(r.frames);
 }
 
 }  // namespace drape

@@ -43,10 +43,10 @@ LookDescription read_look(const Value& value) {
     if (const Value* camera = keys.find("camera")) look.camera = read_camera(*camera);
     if (const Value* overlay = keys.find("overlay")) {
         const std::string& word = as_text(*overlay, "overlay");
-        if (word == "error" || word == "contacts")
+        if (word == "contacts")
             fail(overlay->place, "overlay ", quoted(word),
-                 ": this version of drape cannot draw it yet (none, wire, strain, springs)");
-        look.overlay = as_word(*overlay, "overlay", {"none", "wire", "strain", "springs"});
+                 ": this version of drape cannot draw it yet (none, wire, strain, springs, error)");
+        look.overlay = as_word(*overlay, "overlay", {"none", "wire", "strain", "springs", "error"});
     }
     keys.read("ground", look.ground);
     return look;

@@ -3,11 +3,16 @@
 #include <catch2/catch.hpp>
 
 #include "render/colour_map.h"
+#include "render/drawables.h"
 #include "render/lettering.h"
 
 using namespace drape;
 
 namespace {
+
+ColourScale scale(const char* most) {
+    return {"strain", {"-1 %", "0", most}, diverging_colour};
+}
 
 Image grey(int width, int height) {
     Image image(width, height);
@@ -19,7 +24,7 @@ Image grey(int width, int height) {
 
 TEST_CASE("the colour bar runs from blue over light grey to red, with dark lettering under it", "[render]") {
     Image image = grey(640, 360);
-    draw_colour_bar(image, 0.05);
+    draw_colour_bar(image, scale("+1 %"));
     int blue = 0, red = 0, dark = 0;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
@@ -34,16 +39,16 @@ TEST_CASE("the colour bar runs from blue over light grey to red, with dark lette
     CHECK(int(image.pixel(10, 10)[0]) == 200);  // the rest of the picture is left alone
 }
 
-TEST_CASE("another range writes another number beside the same bar", "[render]") {
+TEST_CASE("another label is written beside the same bar", "[render]") {
     Image five = grey(640, 360), ten = grey(640, 360);
-    draw_colour_bar(five, 0.05);
-    draw_colour_bar(ten, 0.10);
+    draw_colour_bar(five, scale("+5 %"));
+    draw_colour_bar(ten, scale("+10 %"));
     CHECK(five.rgb != ten.rgb);
 }
 
 TEST_CASE("a picture too small for legible numbers gets no bar", "[render]") {
     Image image = grey(64, 48);
-    draw_colour_bar(image, 0.05);
+    draw_colour_bar(image, scale("+1 %"));
     CHECK(image.rgb == grey(64, 48).rgb);
 }
 
@@ -59,8 +64,17 @@ TEST_CASE("strain colours are lightest and least coloured in the middle and clam
     CHECK(diverging_colour(-1)[2] > diverging_colour(-1)[0]);
 }
 
+TEST_CASE("error colours grow darker all the way, and clamp at the ends", "[render]") {
+    const auto light = [](float t) {
+        return linear_light(rising_colour(t)).dot(Eigen::Vector3f(0.21f, 0.72f, 0.07f));
+    };
+    for (float t = -1; t < 0.95f; t += 0.1f) CHECK(light(t) > light(t + 0.1f));
+    CHECK(rising_colour(-7) == rising_colour(-1));
+    CHECK(rising_colour(7) == rising_colour(1));
+}
+
 TEST_CASE("every character the pictures need leaves ink, and only where it stands", "[render]") {
-    for (const char character : std::string_view("0123456789+-.%strain")) {
+    for (const char character : std::string_view("0123456789+-.%strainerrorm")) {
         CAPTURE(character);
         Image image = grey(40, 40);
         draw_text(image, {&character, 1}, 10, 30, {16, {0, 0, 0}, 1});

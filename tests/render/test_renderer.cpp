@@ -1,3 +1,4 @@
+#include "render/colour_map.h"
 #include "render/renderer.h"
 
 #include <catch2/catch.hpp>
@@ -90,12 +91,13 @@ TEST_CASE("wire draws lines on the cloth and nowhere else", "[render]") {
 
 TEST_CASE("strain colours stretched cloth red, squeezed cloth blue, and adds its bar", "[render]") {
     SmallPicture picture;
-    picture.settings.overlay = Overlay::strain;
-    const auto drawn_at = [&](float strain) {
-        picture.frame.strain = {Eigen::VectorXf::Constant(picture.sheet.vertices(), strain)};
+    picture.settings.overlay = Overlay::tint;
+    picture.settings.scale = {"strain", {"-5 %", "0", "+5 %"}, diverging_colour};
+    const auto drawn_at = [&](float tint) {
+        picture.frame.tint = {Eigen::VectorXf::Constant(picture.sheet.vertices(), tint)};
         return picture.draw();
     };
-    const Image stretched = drawn_at(0.05f), squeezed = drawn_at(-0.05f), rest = drawn_at(0);
+    const Image stretched = drawn_at(1), squeezed = drawn_at(-1), rest = drawn_at(0);
     CHECK(stretched.pixel(160, 80)[0] > stretched.pixel(160, 80)[2] + 60);
     CHECK(squeezed.pixel(160, 80)[2] > squeezed.pixel(160, 80)[0] + 60);
     CHECK(is_grey(rest.pixel(160, 80)));
