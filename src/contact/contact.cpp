@@ -46,16 +46,25 @@ Contact::Contact(const Model& model, const std::vector<Obstacle>& obstacles, con
 
 void Contact::prepare(const State& state, double h) {
     const double fastest = std::sqrt(state.v.colwise().squaredNorm().maxCoeff());
-    const double travel = 2 * h * (fastest + obstacle_speed_);  // twice what this step needs
+    cover(state.x, state.time, 2 * h * (fastest + obstacle_speed_));  // twice what this step needs
+}
+
+void Contact::cover(In x, double time, double way) {
     if (way_ >= 0) {
-        const double moved = std::sqrt((state.x - gathered_at_).colwise().squaredNorm().maxCoeff()) +
-                             obstacle_speed_ * (state.time - gathered_time_);
-        if (moved + travel <= way_) return;
+        const double moved = std::sqrt((x - gathered_at_).colwise().squaredNorm().maxCoeff()) +
+                             obstacle_speed_ * std::abs(time - gathered_time_);
+        if (moved + way <= way_) return;
     }
-    way_ = std::max(4 * thickness_, 20 * travel);
-    gathered_at_ = state.x;
-    gathered_time_ = state.time;
-    for (ObstacleContact& pair : pairs_) pair.gather(state.x, state.time, way_);
+    way_ = std::max(4 * thickness_, 20 * way);
+    gathered_at_ = x;
+    gathered_time_ = time;
+    for (ObstacleContact& pair : pairs_) pair.gather(x, time, way_);
+}
+
+double Contact::clear_part(In x, In move, double time) const {
+    double clear = 1;
+    for (const ObstacleContact& pair : pairs_) clear = std::min(clear, pair.clear_part(x, move, time));
+    return clear;
 }
 
 double Contact::energy(In x, double time) const {

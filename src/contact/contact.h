@@ -19,6 +19,9 @@ public:
     // listed.
     void prepare(const State& state, double h);
 
+    // The same for a step that may take vertices `way` [m] from x, by `time` or from it.
+    void cover(In x, double time, double way);
+
     double energy(In x, double time) const;
     void add_conservative(In x, double time, Out f) const;
     ObstacleContact::Result add_all(In x, In v, double time, Out f);
@@ -26,6 +29,9 @@ public:
     void add_couplings(Couplings& couplings) const;
     void add_stiffness(In x, In v, double time, BlockMatrix& k) const;
     void add_damping(In x, In v, double time, BlockMatrix& b) const;
+
+    // as in ObstacleContact; x must be covered for the whole move
+    double clear_part(In x, In move, double time) const;
 
     ContactWork rub(Points& v, double h) const;
     double least_distance(In x, double time) const;

@@ -183,6 +183,38 @@ ContactWork ObstacleContact::rub(Points& v, const Model& model, double h) const 
     return work;
 }
 
+void ObstacleContact::list_grips(std::vector<Grip>& grips) const {
+    if (obstacle_.friction == 0) return;
+    for (const Touch& touch : touches_)
+        if (touch.normal_force > 0)
+            grips.push_back(
+                {touch.point, touch.normal, touch.surface_velocity, obstacle_.friction * touch.normal_force});
+}
+
+// The gap changes by no more than the way, so each point may go as far as its gap, look again, and go on.
+double ObstacleContact::clear_part(In x, In move, double time) const {
+    constexpr int most_looks = 60;
+    const Pose pose = obstacle_.motion.at(time).pose;
+    double clear = 1;
+    for (const int i : near_) {
+        const ContactPoint& point = points_[static_cast<size_t>(i)];
+        const Vec3 at = value_at(point, x.data()), way = value_at(point, move.data());
+        const double length = way.norm();
+        const auto gap_at = [&](double part) { return sample(pose, at + part * way).distance - offset_; };
+        double gap = gap_at(0), part = 0;
+        if (gap <= 0) return 0;
+        const double kept = 0.1 * std::min(gap, barrier_.thickness);
+        for (int look = 0; look < most_looks && part * length < clear * length; ++look) {
+            part += (gap - kept) / length;
+            if (part >= clear) break;
+            gap = gap_at(part);
+            if (gap - kept < 0.01 * kept) break;
+        }
+        if (length > 0) clear = std::min(clear, part);
+    }
+    return clear;
+}
+
 double ObstacleContact::least_distance(In x, double time) const {
     const Pose pose = obstacle_.motion.at(time).pose;
     const int fine = 2 * level_ + 2;

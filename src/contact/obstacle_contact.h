@@ -23,6 +23,13 @@ struct ContactWork {
     double driven = 0;
 };
 
+// A point that presses on an obstacle with friction.
+struct Grip {
+    const ContactPoint* point;
+    Vec3 normal, surface_velocity;
+    double most;  // mu times the normal force: what friction can hold [N]
+};
+
 // What contact asks of the next step.
 struct ContactLimits {
     double omega_squared = 0;  // largest row sum of stiffness over mass of a vertex in contact [1/s^2]
@@ -61,6 +68,13 @@ public:
 
     // Changes velocities by the friction impulses of a time h under the last add_all's normal forces.
     ContactWork rub(Points& v, const Model& model, double h) const;
+
+    // Appends the points of the last add_all that friction holds; they are valid as long as this.
+    void list_grips(std::vector<Grip>& grips) const;
+
+    // How much of `move` from x (at most 1) no listed point crosses on its way, each keeping a tenth of its
+    // gap. 0 where one has crossed already.
+    double clear_part(In x, In move, double time) const;
 
     // The least distance of any point of any triangle, on a lattice finer than the contact points' [m].
     double least_distance(In x, double time) const;

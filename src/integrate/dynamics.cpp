@@ -52,22 +52,41 @@ void Dynamics::conservative_acceleration(In x, double time, Points& a) {
     to_acceleration(a);
 }
 
-void Dynamics::acceleration(In x, In v, double time, Points& a) {
+void Dynamics::sum_all(In x, In v, double time, Points& f) {
     ++sweeps_;
-    a.setZero(3, x.cols());
+    f.setZero(3, x.cols());
     power_ = {};
     for (const ActiveForce& active : forces_) {
-        power_ += active.force->add_all(x, v, time, a);
+        power_ += active.force->add_all(x, v, time, f);
         ++active.calls;
     }
     if (contact_) {
         const ThreadCpuScope timer(contact_seconds_);
-        touch_ = contact_->add_all(x, v, time, a);
+        touch_ = contact_->add_all(x, v, time, f);
         power_ += {touch_.dissipated, touch_.driven};
     }
+}
+
+void Dynamics::finish(In v, Points& f) {
     // what holds a pin works against the cloth's pull where the pin moves
-    for (const int i : pinned_) power_.driven -= a.col(i).dot(v.col(i));
-    to_acceleration(a);
+    for (const int i : pinned_) power_.driven -= f.col(i).dot(v.col(i));
+    to_acceleration(f);
+}
+
+void Dynamics::acceleration(In x, In v, double time, Points& a) {
+    sum_all(x, v, time, a);
+    finish(v, a);
+}
+
+void Dynamics::acceleration_with_friction(In x, In v, double time, Points& a) {
+    sum_all(x, v, time, a);
+    const ContactWork power = friction_.add_force(v, a);
+    power_ += {power.dissipated, power.driven};
+    finish(v, a);
+}
+
+void Dynamics::hold_friction() {
+    if (contact_) friction_.hold(*contact_);
 }
 
 void Dynamics::rub(State& state, double h) {

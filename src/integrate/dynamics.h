@@ -7,6 +7,7 @@
 
 #include "cloth/model.h"
 #include "contact/contact.h"
+#include "contact/smooth_friction.h"
 #include "force/force.h"
 
 namespace drape {
@@ -37,6 +38,12 @@ public:
 
     // a = all forces / m; keeps power, contact limits and friction's normal forces of this moment
     void acceleration(In x, In v, double time, Points& a);
+
+    // For implicit methods: the same with friction as a force (contact/smooth_friction.h), under the normal
+    // forces that hold_friction last took over from an acceleration.
+    void acceleration_with_friction(In x, In v, double time, Points& a);
+    void hold_friction();
+    const SmoothFriction& friction() const { return friction_; }
 
     // friction impulses of a time h on free vertices' velocities
     void rub(State& state, double h);
@@ -70,6 +77,8 @@ public:
     double contact_seconds() const { return contact_seconds_; }  // CPU [s]
 
 private:
+    void sum_all(In x, In v, double time, Points& f);
+    void finish(In v, Points& f);            // books the pins' power, makes accelerations of forces
     void sum_conservative(In x, Points& f);  // of all forces but contact
     void to_acceleration(Points& f) const;
 
@@ -81,6 +90,7 @@ private:
     Power power_;
     EnergyFlow flow_;
     ObstacleContact::Result touch_;
+    SmoothFriction friction_;
     long sweeps_ = 0;
     double contact_seconds_ = 0;
 };
