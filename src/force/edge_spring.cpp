@@ -174,10 +174,10 @@ void EdgeSprings::add_damping(In x, In, double, BlockMatrix& b) const {
     if (!damped_) return;
     for (size_t s = 0; s < a_.size(); ++s) {
         const Vec3 along = x.col(a_[s]) - x.col(b_[s]);
-        const double squared = along.squaredNorm();
-        if (squared == 0) continue;
-        b.add_element(std::array{a_[s], b_[s]},
-                      between_ends(damping_[s] / squared * along * along.transpose()));
+        const double length = along.norm();
+        if (length == 0) continue;
+        const Vec3 n = along / length;
+        b.add_element(std::array{a_[s], b_[s]}, between_ends(damping_[s] * n * n.transpose()));
     }
 }
 

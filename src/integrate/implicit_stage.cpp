@@ -1,0 +1,206 @@
+#include "integrate/implicit_stage.h"
+
+#include <cmath>
+#include <utility>
+
+namespace drape {
+
+namespace {
+
+constexpr int most_iterations = 200, most_halvings = 30, most_leaps = 12, most_failed_leaps = 8,
+              most_friction_rounds = 4;
+constexpr double enough = 1e-4;  // of the descent that the slope promises (Armijo)
+// Far below any method's own error; where rounding ends Newton's progress earlier, the second will do.
+constexpr double fine_length = 1e-10, fine_part = 1e-7;     // [m]; of what a vertex moves in a stage
+constexpr double coarse_length = 1e-7, coarse_part = 1e-4;  // the same
+
+double largest(In move) {
+    return std::sqrt(move.colwise().squaredNorm().maxCoeff());
+}
+
+}  // namespace
+
+double StageSolver::typical_move(const Stage& stage) const {
+    return stage.c * std::sqrt(now_.v.colwise().squaredNorm().mean());
+}
+
+bool StageSolver::evaluate(const Stage& stage, Trial& trial) {
+    const Model& model = dynamics_.model();
+    trial.v = (trial.x - stage.xp) / stage.c;
+    for (Eigen::Index i = 0; i < trial.v.cols(); ++i)
+        if (model.inverse_mass[i] == 0) trial.v.col(i) = pin_velocity_.col(i);
+    trial.potential =
+        dynamics_.potential_energy(trial.x, stage.time) + stage.c * dynamics_.friction().potential(trial.v);
+    if (!std::isfinite(trial.potential)) return false;
+
+    dynamics_.acceleration_with_friction(trial.x, trial.v, stage.time, trial.residual);
+    trial.driving.setZero(3, trial.x.cols());
+    if (!dynamics_.is_conservative()) {
+        dynamics_.friction().add_force(trial.v, trial.driving);
+        dynamics_.conservative_acceleration(trial.x, stage.time, scratch_);
+        trial.driving = (trial.residual - scratch_) * model.mass.asDiagonal() - trial.driving;
+    }
+    for (Eigen::Index i = 0; i < trial.x.cols(); ++i) {
+        if (model.inverse_mass[i] == 0) {
+            trial.driving.col(i).setZero();
+            continue;
+        }
+        const Vec3 gained = trial.v.col(i) - stage.vp.col(i);
+        trial.potential += 0.5 * model.mass[i] * gained.squaredNorm();
+        trial.residual.col(i) = model.mass[i] * (trial.residual.col(i) - gained / stage.c);
+    }
+    return trial.residual.allFinite();
+}
+
+double StageSolver::rise(const Trial& from, const Trial& to) const {
+    return to.potential - from.potential -
+           0.5 * (from.driving + to.driving).cwiseProduct(to.x - from.x).sum();
+}
+
+// Starts where the vertices are, or where they would fly without forces if that is better.
+bool StageSolver::start(const Stage& stage, const State& state) {
+    State placed{state.x, state.v, stage.time};
+    place_pins(dynamics_.model(), placed);
+    pin_velocity_ = placed.v;
+    Points flight = stage.xp + stage.c * stage.vp - placed.x;
+    for (Eigen::Index i = 0; i < flight.cols(); ++i)
+        if (dynamics_.model().inverse_mass[i] == 0) flight.col(i).setZero();
+    double part = 1;
+    if (Contact* contact = dynamics_.contact()) {
+        contact->cover(placed.x, stage.time, largest(flight));
+        part = contact->clear_part(placed.x, flight, stage.time);
+    }
+    now_.x = placed.x;
+    if (!evaluate(stage, now_)) return false;
+    next_.x = placed.x + part * flight;
+    if (evaluate(stage, next_) && rise(now_, next_) < 0) std::swap(now_, next_);
+    return true;
+}
+
+// Whether next_, reached along a direction, is enough of an improvement on now_.
+bool StageSolver::is_better(const Points& direction, double length) const {
+    const double slope = -now_.residual.cwiseProduct(direction).sum(), change = rise(now_, next_);
+    if (change <= enough * length * slope) return true;
+    // where rounding hides the descent, the slope there tells
+    const double noise = 1e-10 * std::abs(now_.potential);
+    return change <= noise && -next_.residual.cwiseProduct(direction).sum() <= -(1 - 2 * enough) * slope;
+}
+
+// Moves next_ by a Newton step of its own, no farther than `most`. A stiff spring keeps its length along a
+// curve: a straight step leaves the valley of low energy, and this leads back to its floor farther on.
+bool StageSolver::leap(const Stage& stage, double most) {
+    const Points direction = newton_direction(stage, next_);
+    if (!(largest(direction) < most)) return false;
+    if (Contact* contact = dynamics_.contact()) {
+        contact->cover(next_.x, stage.time, most);
+        if (contact->clear_part(next_.x, direction, stage.time) < 1) return false;
+    }
+    next_.x += direction;
+    return evaluate(stage, next_);
+}
+
+// Solves with the matrix at the trial; not finite where there is none.
+Points StageSolver::newton_direction(const Stage& stage, const Trial& at) {
+    ++iterations_;
+    const auto factorise = [&](StepMatrix::Curvature curvature) {
+        return matrix_.factorise(dynamics_, at.x, at.v, stage.time, stage.c, curvature);
+    };
+    cut_ = cut_ || !factorise(StepMatrix::Curvature::exact);
+    if (cut_ && !factorise(StepMatrix::Curvature::semidefinite)) return Points::Constant(3, at.x.cols(), NAN);
+    return matrix_.solve(at.residual);
+}
+
+// Sets `length` to how much of the direction was gone; false if no part of it lowers Phi.
+bool StageSolver::search(const Stage& stage, const Points& direction, double& length) {
+    const double move = largest(direction);
+    length = 1;
+    if (Contact* contact = dynamics_.contact()) {
+        contact->cover(now_.x, stage.time, move);
+        length = contact->clear_part(now_.x, direction, stage.time);
+    }
+    for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
+        next_.x = now_.x + length * direction;
+        bool possible = evaluate(stage, next_);
+        const int leaps = length == 1 && patience_ > 0 ? most_leaps : 0;
+        for (int leaped = 0; possible; ++leaped) {
+            if (is_better(direction, length)) {
+                std::swap(now_, next_);
+                return true;
+            }
+            possible = leaped < leaps && leap(stage, move);
+        }
+        if (leaps > 0) --patience_;
+    }
+    return false;
+}
+
+StageSolver::Outcome StageSolver::improve(const Stage& stage) {
+    const double typical = typical_move(stage), fine = fine_length + fine_part * typical,
+                 coarse = coarse_length + coarse_part * typical;
+    const Points free_fall = now_.residual * dynamics_.model().inverse_mass.asDiagonal();
+    if (stage.c * stage.c * largest(free_fall) < fine) return Outcome::converged;
+
+    const Points direction = newton_direction(stage, now_);
+    const double move = largest(direction);
+    if (!std::isfinite(move)) return Outcome::stuck;
+    double length = 0;
+    if (!search(stage, direction, length)) {
+        if (move < coarse) return Outcome::converged;
+        if (cut_) return Outcome::stuck;
+        cut_ = true;
+        return Outcome::moved;
+    }
+    const bool stalled = move < coarse && move > last_move_ / 2;
+    last_move_ = move;
+    if (length < 1) return Outcome::moved;
+    cut_ = false;
+    return move < fine || stalled ? Outcome::converged : Outcome::moved;
+}
+
+bool StageSolver::settle(const Stage& stage) {
+    last_move_ = INFINITY;
+    for (int i = 0; i < most_iterations; ++i) {
+        const Outcome outcome = improve(stage);
+        if (outcome != Outcome::moved) return outcome == Outcome::converged;
+    }
+    return false;
+}
+
+// Where friction holds, the force jumps as cloth under load starts to creep: at standstill there is none. So
+// it is taken a moment later, when the creep has set in.
+void StageSolver::first_acceleration(const State& state, double h, Points& a) {
+    dynamics_.acceleration(state.x, state.v, state.time, a);
+    dynamics_.hold_friction();
+    if (!dynamics_.friction().holds_any()) return;
+    constexpr double moment = 0.01;  // of a step
+    State soon = state;
+    if (solve({state.x, state.v, moment * h, state.time + moment * h}, soon))
+        a = acceleration_;
+    else
+        dynamics_.acceleration_with_friction(state.x, state.v, state.time, a);
+}
+
+bool StageSolver::solve(const Stage& stage, State& state) {
+    cut_ = false;
+    patience_ = most_failed_leaps;
+    if (!start(stage, state)) return false;
+    for (int round = 0; round < most_friction_rounds; ++round) {
+        const Points before = now_.x;
+        if (!settle(stage)) return false;
+        dynamics_.acceleration_with_friction(now_.x, now_.v, stage.time, scratch_);
+        const bool held = dynamics_.friction().holds_any();
+        const double moved = largest(now_.x - before);
+        if (round > 0 && moved < coarse_length + coarse_part * typical_move(stage)) break;
+        if (round + 1 == most_friction_rounds) break;
+        dynamics_.hold_friction();
+        if (!held && !dynamics_.friction().holds_any()) break;
+        if (!evaluate(stage, now_)) return false;
+    }
+    dynamics_.acceleration_with_friction(now_.x, now_.v, stage.time, scratch_);
+    dynamics_.hold_friction();
+    acceleration_ = (now_.v - stage.vp) / stage.c;
+    state = {now_.x, now_.v, stage.time};
+    return true;
+}
+
+}  // namespace drape

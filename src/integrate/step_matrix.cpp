@@ -1,0 +1,31 @@
+#include "integrate/step_matrix.h"
+
+namespace drape {
+
+StepMatrix::StepMatrix(const Dynamics& dynamics)
+    : matrix_(dynamics.model(), dynamics.couplings()), solution_(3, dynamics.model().vertices()) {
+    factor_.analyzePattern(matrix_.lower());
+}
+
+bool StepMatrix::factorise(const Dynamics& dynamics, In x, In v, double time, double c, Curvature curvature) {
+    const bool semidefinite = curvature == Curvature::semidefinite;
+    matrix_.set_zero();
+    matrix_.weigh(1, semidefinite);
+    dynamics.add_stiffness(x, v, time, matrix_);
+    stiff_velocity_ = matrix_.multiply(v);
+    matrix_.weigh(1 / c, semidefinite);
+    dynamics.add_damping(x, v, time, matrix_);
+    dynamics.friction().add_damping(v, matrix_);
+    matrix_.add_masses(1 / (c * c));
+    ++factorisations_;
+    factor_.factorize(matrix_.lower());
+    return factor_.info() == Eigen::Success;
+}
+
+Points StepMatrix::solve(In right) {
+    matrix_.gather(right, free_);
+    matrix_.scatter(factor_.solve(free_), solution_);
+    return solution_;
+}
+
+}  // namespace drape
