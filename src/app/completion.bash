@@ -12,11 +12,11 @@ _drape() {
         --out) mapfile -t COMPREPLY < <(compgen -d -- "$word") && return ;;
         --cache | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
         --method)
-            mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada srkn4 srkn6
-                rk4 embedded_rk" -- "$word")
+            mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada srkn4 srkn6 rk4 \
+                embedded_rk backward_euler_1 backward_euler bdf2 tr_bdf2" -- "$word")
             return
             ;;
-        --step | --threads | --set | --frames | --size) return ;;
+        --step | --tolerance | --threads | --set | --frames | --size) return ;;
     esac
 
     local words

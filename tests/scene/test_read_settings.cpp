@@ -6,7 +6,8 @@ using namespace drape;
 using namespace drape::test;
 
 TEST_CASE("a method and a step may be asked for", "[scene]") {
-    for (const char* method : {"auto", "symplectic_euler", "verlet", "takahashi_imada"}) {
+    for (const char* method : {"auto", "symplectic_euler", "verlet", "takahashi_imada", "backward_euler_1",
+                               "backward_euler", "bdf2", "tr_bdf2"}) {
         const auto scene = scene_of(with_cloth("[accuracy]\nmethod = \"" + std::string(method) + "\"\n"));
         CHECK(scene.accuracy.method == method);
     }
@@ -14,8 +15,7 @@ TEST_CASE("a method and a step may be asked for", "[scene]") {
     CHECK(error_of(with_cloth("[accuracy]\nstep = 0\n")) == "scene.toml:5:8: step must be positive, got 0 s");
     CHECK(error_of(with_cloth("[accuracy]\nmethod = \"varlet\"\n")) ==
           "scene.toml:5:10: unknown method \"varlet\"; did you mean \"verlet\"? (known: auto, "
-          "symplectic_euler, "
-          "verlet, takahashi_imada)");
+          "symplectic_euler, verlet, takahashi_imada, backward_euler_1, backward_euler, bdf2, tr_bdf2)");
 }
 
 TEST_CASE("a tolerance may be asked for, with a method but not with a step", "[scene]") {
