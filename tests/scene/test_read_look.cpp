@@ -40,7 +40,7 @@ TEST_CASE("overlays read by name; those that need what is not there yet say so",
         CHECK(scene_of(with_render("overlay = \"" + std::string(overlay) + "\"")).look.overlay == overlay);
     CHECK(error_of(with_render("overlay = \"wires\"")) ==
           "scene.toml:5:11: unknown overlay \"wires\"; did you mean \"wire\"? (known: none, wire, strain, "
-          "springs)");
+          "springs, error)");
     for (const char* overlay : {"contacts"})
         CHECK(error_of(with_render("overlay = \"" + std::string(overlay) + "\""))
                   .find("this version of drape cannot draw it yet") != std::string::npos);
