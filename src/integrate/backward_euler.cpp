@@ -1,30 +1,26 @@
 // Backward Euler: x1 = x0 + h v1, v1 = v0 + h a(x1, v1, t1), solved to the end. Order one, stable at any
 // step. Each step goes to a minimum of inertia and energy, so the energy never rises but by what is put in;
 // motion slower than the step is damped as if by a force, by a part (h w)^2 / 2 of its energy a step.
-#include "integrate/implicit_stage.h"
 #include "integrate/kinds.h"
+#include "integrate/staged_integrator.h"
 
 namespace drape {
 
 namespace {
 
-class BackwardEuler final : public Integrator {
+class BackwardEuler final : public StagedIntegrator {
 public:
     void begin(Dynamics& dynamics, State& state, double) override {
-        if (!solver_) solver_ = std::make_unique<StageSolver>(dynamics);
         dynamics.acceleration(state.x, state.v, state.time, a_);
         dynamics.hold_friction();
     }
     bool step(Dynamics& dynamics, State& state, double h) override {
-        if (!solver_->solve({state.x, state.v, h, state.time + h}, state)) return false;
+        if (!solver(dynamics).solve({state.x, state.v, h, state.time + h}, state)) return false;
         dynamics.book(h);
         return true;
     }
-    void end(Dynamics&, State&, double) override {}
-    SolverWork work() const override { return solver_ ? solver_->work() : SolverWork{}; }
 
 private:
-    std::unique_ptr<StageSolver> solver_;
     Points a_;
 };
 

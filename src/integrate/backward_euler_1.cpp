@@ -48,7 +48,6 @@ public:
         ++steps_;
         return true;
     }
-    void end(Dynamics&, State&, double) override {}
     SolverWork work() const override { return {matrix_ ? matrix_->factorisations() : 0, steps_}; }
 
 private:

@@ -4,45 +4,41 @@
 // Order two, one solve a step; L-stable for equal steps, and for steps that grow by less than 1 + sqrt 2. The
 // first step, and one after a shorter one by more than half, is of TR-BDF2, which needs no state before and
 // is of order two as well.
-#include "integrate/implicit_stage.h"
 #include "integrate/kinds.h"
+#include "integrate/staged_integrator.h"
 
 namespace drape {
 
 namespace {
 
-class Bdf2 final : public Integrator {
+class Bdf2 final : public StagedIntegrator {
 public:
     void begin(Dynamics& dynamics, State& state, double h) override {
-        if (!solver_) solver_ = std::make_unique<StageSolver>(dynamics);
-        solver_->first_acceleration(state, h, a_);
+        solver(dynamics).first_acceleration(state, h, a_);
         last_step_ = 0;
     }
     bool step(Dynamics& dynamics, State& state, double h) override {
         const State start = state;
         if (h > most_growth * last_step_) {
-            if (!tr_bdf2_step(dynamics, *solver_, state, a_, h)) return false;
+            if (!tr_bdf2_step(dynamics, solver(dynamics), state, a_, h)) return false;
         } else {
             const double r = h / last_step_, whole = 1 + 2 * r;
             const double near = (1 + r) * (1 + r) / whole, far = r * r / whole;
             dynamics.book(h / 2);
-            if (!solver_->solve({near * start.x - far * before_.x, near * start.v - far * before_.v,
-                                 (1 + r) / whole * h, start.time + h},
-                                state))
+            if (!solver(dynamics).solve({near * start.x - far * before_.x, near * start.v - far * before_.v,
+                                         (1 + r) / whole * h, start.time + h},
+                                        state))
                 return false;
             dynamics.book(h / 2);
-            a_ = solver_->acceleration();
+            a_ = solver(dynamics).acceleration();
         }
         before_ = start;
         last_step_ = h;
         return true;
     }
-    void end(Dynamics&, State&, double) override {}
-    SolverWork work() const override { return solver_ ? solver_->work() : SolverWork{}; }
 
 private:
     static constexpr double most_growth = 2;
-    std::unique_ptr<StageSolver> solver_;
     State before_;
     Points a_;
     double last_step_ = 0;  // 0: there is no state before

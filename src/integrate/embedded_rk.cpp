@@ -52,7 +52,6 @@ public:
         state.time = end;
         return true;
     }
-    void end(Dynamics&, State&, double) override {}
 
 private:
     static double change(double found, double allowed) {

@@ -32,8 +32,8 @@ public:
     // False where an implicit method found no solution: the state is then of no use, and a shorter step from
     // the one before may succeed.
     [[nodiscard]] virtual bool step(Dynamics& dynamics, State& state, double h) = 0;
-    // Leaves them: the state is positions and velocities again.
-    virtual void end(Dynamics& dynamics, State& state, double h) = 0;
+    // Leaves them: the state is positions and velocities again, which it always is for most methods.
+    virtual void end(Dynamics&, State&, double) {}
 
     virtual SolverWork work() const { return {}; }
 };

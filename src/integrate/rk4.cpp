@@ -13,7 +13,6 @@ public:
     bool step(Dynamics& dynamics, State& state, double h) override {
         return rule_.advance(dynamics, state, h);
     }
-    void end(Dynamics&, State&, double) override {}
 
 private:
     RungeKutta4 rule_;

@@ -25,7 +25,6 @@ public:
         }
         return true;
     }
-    void end(Dynamics&, State&, double) override {}
 
 private:
     Splitting splitting_;

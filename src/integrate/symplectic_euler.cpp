@@ -20,7 +20,6 @@ public:
         dynamics.acceleration(state.x, state.v, state.time, a_);
         return true;
     }
-    void end(Dynamics&, State&, double) override {}
 
 private:
     Points a_;

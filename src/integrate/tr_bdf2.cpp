@@ -5,8 +5,8 @@
 // motion is gone after a step. It needs nothing from the step before.
 #include <numbers>
 
-#include "integrate/implicit_stage.h"
 #include "integrate/kinds.h"
+#include "integrate/staged_integrator.h"
 
 namespace drape {
 
@@ -29,20 +29,16 @@ bool tr_bdf2_step(Dynamics& dynamics, StageSolver& solver, State& state, Points&
 
 namespace {
 
-class TrBdf2 final : public Integrator {
+class TrBdf2 final : public StagedIntegrator {
 public:
     void begin(Dynamics& dynamics, State& state, double h) override {
-        if (!solver_) solver_ = std::make_unique<StageSolver>(dynamics);
-        solver_->first_acceleration(state, h, a_);
+        solver(dynamics).first_acceleration(state, h, a_);
     }
     bool step(Dynamics& dynamics, State& state, double h) override {
-        return tr_bdf2_step(dynamics, *solver_, state, a_, h);
+        return tr_bdf2_step(dynamics, solver(dynamics), state, a_, h);
     }
-    void end(Dynamics&, State&, double) override {}
-    SolverWork work() const override { return solver_ ? solver_->work() : SolverWork{}; }
 
 private:
-    std::unique_ptr<StageSolver> solver_;
     Points a_;
 };
 

@@ -34,7 +34,6 @@ public:
         kick(dynamics, state, a_, h / 2);
         return true;
     }
-    void end(Dynamics&, State&, double) override {}
 
 private:
     Points a_, ahead_;
