@@ -53,7 +53,7 @@ void print_plan(const Plan& plan) {
                     stage.because.c_str());
 }
 
-void print_step(const Simulation& simulation) {
+void print_step(const Simulation& simulation, bool to_tolerance) {
     const PredictedCost cost = predicted_cost(simulation);
     std::printf("step\n");
     std::printf("  method              %.*s: %s\n", static_cast<int>(simulation.method().name.size()),
@@ -67,6 +67,9 @@ void print_step(const Simulation& simulation) {
     std::printf("  simulate            %.3g CPU s (%.3g ms a step%s)\n", cost.seconds,
                 1e3 * cost.seconds / cost.steps,
                 simulation.obstacles().empty() ? "" : "; hard contact makes steps shorter");
+    std::printf("  estimate the error  %s\n", to_tolerance
+                                                  ? "a tolerance is asked: such passes until it is met"
+                                                  : "not quite as much again (--no-estimate leaves it out)");
 }
 
 Exit inspect_mesh(const std::string& path) {
@@ -93,7 +96,7 @@ Exit inspect_scene(const std::string& path, const std::vector<std::string>& over
     }
     for (const std::string& note : built.notes) std::printf("  note                %s\n", note.c_str());
     print_plan(simulation.plan());
-    print_step(simulation);
+    print_step(simulation, scene.accuracy.tolerance.has_value());
     std::printf("effective scene\n%s", scene_text(scene).c_str());
     return Exit::done;
 }

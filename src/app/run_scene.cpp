@@ -35,13 +35,23 @@ constexpr std::uint64_t largest_checkpoint = std::uint64_t{4} << 30;  // [bytes]
 SceneDescription described(const RunOptions& options) {
     SceneDescription scene = read_scene(scene_path(options.scene), options.set);
     if (options.size) scene.look.size = *options.size;
-    if (options.method) scene.accuracy.method = *options.method;
-    if (options.step) scene.accuracy.step = options.step;
-    if (options.tolerance) scene.accuracy.tolerance = options.tolerance;
     if (options.step && options.tolerance)
         throw Error("--tolerance chooses the step by itself (leave out --step, or --tolerance)");
-    if (options.step) scene.accuracy.tolerance.reset();  // the command line has the last word
-    if (options.tolerance) scene.accuracy.step.reset();
+    AccuracyDescription& accuracy = scene.accuracy;
+    if (options.method) accuracy.method = *options.method;
+    // the command line has the last word: each of the two takes the other's place
+    if (options.step) {
+        accuracy.step = options.step;
+        accuracy.tolerance.reset();
+    }
+    if (options.tolerance) {
+        accuracy.tolerance = options.tolerance;
+        accuracy.step.reset();
+    }
+    if (options.strict && !accuracy.tolerance)
+        throw Error("--strict goes with a tolerance (--tolerance, or [accuracy] tolerance in the scene)");
+    if (!options.estimate && accuracy.tolerance)
+        throw Error("--no-estimate: a tolerance is met by estimating the error (leave one of them out)");
     return scene;
 }
 
@@ -59,6 +69,7 @@ public:
 private:
     void deliver(const FrameReport& frame);
     bool keep_going(double& unsaved);
+    void demand_tolerance() const;
     void prepare_folder();
     void prepare_cache();
     void resume();
@@ -112,6 +123,12 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described(option
 }
 
 void Run::add_output_stages() {
+    if (scene_.accuracy.tolerance)
+        report_.plan.use("error estimate", "a tolerance: passes with more steps until it is met");
+    else if (options_.estimate)
+        report_.plan.use("error estimate", "a second pass with some fewer steps");
+    else
+        report_.plan.leave_out("error estimate", "--no-estimate");
     if (options_.pictures)
         report_.plan.use("pictures", cat("frames ", drawn_[0], " to ", drawn_[1]));
     else
@@ -158,7 +175,7 @@ void Run::resume() {
         throw Error(
             "--resume cannot go on with a --cache: earlier frames' positions are gone (leave one out)");
     if (!delivery_->restore(found->passes))
-        throw Error(path + ": is of a run with another tolerance (remove it to start fresh)");
+        throw Error(path + ": is of a run with another tolerance or estimate (remove it to start fresh)");
     report_.start = {0, found->start_energy};
     report_.notes.push_back(cat("resumed after frame ", delivery_->frame()));
 }
@@ -248,6 +265,19 @@ void Run::deliver(const FrameReport& frame) {
     }
 }
 
+void Run::demand_tolerance() const {
+    const ErrorAccount& error = report_.error;
+    if (!error.reached)
+        throw Error(cat(options_.scene, ": the tolerance of ", *error.asked,
+                        " m was not reached: refining stopped helping (--strict)"),
+                    Exit::went_wrong);
+    if (!error.met())
+        throw Error(
+            cat(options_.scene, ": the tolerance of ", *error.asked,
+                " m lies below the predictability floor from t = ", error.floor_from, " s on (--strict)"),
+            Exit::went_wrong);
+}
+
 Exit Run::go() {
     catch_interrupts();
 #ifdef DRAPE_WITH_RENDER
@@ -276,10 +306,7 @@ Exit Run::go() {
         }
     }
     finish(true);
-    if (options_.strict && !report_.error.met())
-        throw Error(cat(options_.scene, ": the tolerance of ", *report_.error.asked,
-                        " m was not reached in every frame (--strict)"),
-                    Exit::went_wrong);
+    if (options_.strict) demand_tolerance();
     return Exit::done;
 }
 

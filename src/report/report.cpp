@@ -104,11 +104,9 @@ std::string error_curve(const std::vector<FrameReport>& frames) {
 }
 
 std::string error_summary(const ErrorAccount& error) {
-    std::string text = "  time-step error ";
-    if (std::isfinite(error.rms))
-        text += cat(millimetres(error.rms), " RMS, ", millimetres(error.max), " at most, in the worst frame");
-    else
-        text += "not known";
+    if (!std::isfinite(error.rms)) return cat("  time-step error not known: ", error.how, "\n");
+    std::string text = cat("  time-step error ", millimetres(error.rms), " RMS, ", millimetres(error.max),
+                           " at most, in the worst frame");
     if (error.asked) text += cat(" (asked: ", millimetres(*error.asked), ")");
     text += cat("; ", number("%.1f", error.seconds), " CPU s on it\n    by ", error.how, "\n");
     if (std::isfinite(error.floor))

@@ -36,12 +36,12 @@ ControlledDelivery::ControlledDelivery(Setup setup, const DeliveryOptions& optio
     : setup_(std::move(setup)),
       threads_(options.threads),
       frames_(options.frames > 0 ? options.frames : setup_.frames),
-      tolerance_(*options.tolerance),
-      shown_(setup_.start) {
+      tolerance_(*options.tolerance) {
     mean_edge_ = mean_edge(setup_.model);
     account_.asked = tolerance_;
     account_.how = "whole passes with ever more steps, compared at every frame (Richardson)";
     start_pass(setup_.method, 1);
+    shown_ = running_->state();
     start_twin();
 }
 
@@ -93,7 +93,7 @@ void ControlledDelivery::run_frame() {
     record.method = running_->method().name;
     record.step = running_->step();
     record.steps += report.steps;
-    record.sweeps = running_->dynamics().sweeps();
+    record.sweeps = running_->sweeps();
     record.cpu_seconds += report.cpu_seconds;
     now_.steps += static_cast<double>(report.steps);
     now_.touched = now_.touched || report.contacts > 0;

@@ -78,6 +78,7 @@ public:
     double lifted() const { return lifted_; }               // how far start overlaps were cleared [m]
 
     Dynamics& dynamics() { return *dynamics_; }
+    long sweeps() const { return dynamics_->sweeps(); }
     double contact_seconds() const { return dynamics_->contact_seconds(); }  // CPU, of the run so far [s]
     Energies energies() const;
     const EnergyFlow& flow() const { return dynamics_->flow(); }

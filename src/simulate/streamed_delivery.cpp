@@ -13,6 +13,14 @@ namespace {
 constexpr double companion_steps = 0.867;  // 0.85 / 0.98: as few as stability allows
 constexpr double order_in_contact = 1;     // points come and go, friction sticks and slips
 
+void record(PassRecord& pass, const Simulation& simulation, const FrameReport& frame, double steps) {
+    pass.method = simulation.method().name;
+    pass.step = simulation.step();
+    pass.steps = static_cast<long>(steps);
+    pass.sweeps = simulation.sweeps();
+    pass.cpu_seconds += frame.cpu_seconds;
+}
+
 }  // namespace
 
 StreamedDelivery::StreamedDelivery(Setup setup, const DeliveryOptions& options) : threads_(options.threads) {
@@ -24,33 +32,24 @@ StreamedDelivery::StreamedDelivery(Setup setup, const DeliveryOptions& options) 
     delivered_ = std::make_unique<Simulation>(std::move(setup));
     mean_edge_ = mean_edge(delivered_->model());
     account_.how = companion_ ? "a second pass with another step, beside the first (Richardson)"
-                              : "not estimated: --no-estimate";
+                              : "no second pass: --no-estimate";
     account_.passes.resize(companion_ ? 2 : 1);
     account_.passes[0].purpose = "delivered";
     if (companion_) account_.passes[1].purpose = "for the error";
 }
 
 std::optional<FrameReport> StreamedDelivery::advance() {
-    FrameReport report;
-    if (companion_) {
-        FrameReport other;
+    FrameReport report, other;
+    if (companion_)
         std::tie(report, other) = advance_both(*delivered_, *companion_, threads_);
-        account_.seconds += other.cpu_seconds;
-        account_.passes[1].cpu_seconds += other.cpu_seconds;
-        if (report.trouble.empty()) judge(report, other);
-    } else {
+    else
         report = delivered_->advance();
-    }
-    steps_ += companion_ ? 0 : static_cast<double>(report.steps);
-    account_.passes[0].cpu_seconds += report.cpu_seconds;
-    const std::array<Simulation*, 2> simulations{delivered_.get(), companion_.get()};
-    for (size_t i = 0; i < account_.passes.size() && simulations[i]; ++i) {
-        PassRecord& record = account_.passes[i];
-        record.method = simulations[i]->method().name;
-        record.step = simulations[i]->step();
-        record.steps = static_cast<long>(i == 0 ? steps_ : companion_steps_);
-        record.sweeps = simulations[i]->dynamics().sweeps();
-    }
+    steps_ += static_cast<double>(report.steps);
+    companion_steps_ += static_cast<double>(other.steps);
+    account_.seconds += other.cpu_seconds;
+    record(account_.passes[0], *delivered_, report, steps_);
+    if (companion_) record(account_.passes[1], *companion_, other, companion_steps_);
+    if (companion_ && report.trouble.empty()) judge(report, other);
     account_.passes[0].error_rms = account_.rms;
     return report;
 }
@@ -64,8 +63,6 @@ void StreamedDelivery::judge(FrameReport& delivered, const FrameReport& companio
         vertex_error_.resize(0);
         return;
     }
-    steps_ += static_cast<double>(delivered.steps);
-    companion_steps_ += static_cast<double>(companion.steps);
     touched_ = touched_ || delivered.contacts > 0 || companion.contacts > 0;
     const Method& method = delivered_->method();
     const bool conservative = delivered_->dynamics().is_conservative();

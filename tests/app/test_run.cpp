@@ -62,6 +62,52 @@ TEST_CASE("simulate leaves a report with every key of the contract, and no pictu
     CHECK_FALSE(std::filesystem::exists(folder.file("out/checkpoint")));
 }
 
+TEST_CASE("a tolerance is met frame by frame; one below what can be predicted is told, and strictly refused",
+          "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("swatch.toml",
+                                          "schema = 1\n[scene]\nduration = 0.4\nframe_rate = 10\n[[cloth]]\n"
+                                          "pattern = { name = \"alternating\", divisions = [8, 8] }\n"
+                                          "fabric = { density = 0.2, stretch = { model = "
+                                          "\"spring_constant\", value = 200 } }\n"
+                                          "pins = [{ near = [-0.5, 0, -0.5] }]\n");
+    const auto run = [&](const std::string& tolerance) {
+        return run_drape({"simulate", scene, "--out", folder.file("out"), "--quiet", "--strict",
+                          "--tolerance", tolerance});
+    };
+    const Ran met = run("1e-4");
+    CAPTURE(met.err);
+    CHECK(met.exit_code == 0);
+    Json error = report_of(folder.file("out"))["error"];
+    CHECK(error["asked_m"] == 1e-4);
+    CHECK(error["reached"] == true);
+    CHECK(error["estimated_rms_m"].get<double>() <= 1e-4);
+    CHECK(error["predictability_floor_m"].get<double>() < 1e-4);
+    CHECK(error["below_floor_from_s"].is_null());
+
+    const Ran refused = run("1e-13");  // nearer than the twin starts
+    CHECK(refused.exit_code == 4);
+    CHECK(refused.error_lines() == 1);
+    CHECK_THAT(refused.err, Catch::Contains("(--strict)"));
+    error = report_of(folder.file("out"))["error"];
+    CHECK(error["below_floor_from_s"] == Approx(0.1));
+}
+
+TEST_CASE("flags of accuracy that contradict each other are refused", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("drop.toml", small_drop());
+    using Flags = std::vector<std::string>;
+    for (const Flags& flags : {Flags{"--strict"}, Flags{"--tolerance", "1e-3", "--step", "1e-4"},
+                               Flags{"--tolerance", "1e-3", "--no-estimate"}, Flags{"--tolerance", "0"}}) {
+        Flags words{"simulate", scene, "--out", folder.file("out")};
+        words.insert(words.end(), flags.begin(), flags.end());
+        const Ran ran = run_drape(words);
+        CAPTURE(flags.front(), ran.err);
+        CHECK(ran.exit_code == 2);
+        CHECK(ran.error_lines() == 1);
+    }
+}
+
 TEST_CASE("a cache holds the start and every frame", "[app]") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("drop.toml", small_drop());
