@@ -1,7 +1,7 @@
 # bash completion for drape
 _drape() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]}
-    local run="--out --method --step --threads --set --resume --quiet --help"
+    local run="--out --method --step --tolerance --strict --no-estimate --threads --set --resume --quiet --help"
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
