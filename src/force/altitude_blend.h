@@ -12,9 +12,12 @@
 
 namespace drape {
 
+class BlendProjection;
+
 class AltitudeBlend final : public Force {
 public:
     explicit AltitudeBlend(const Cloth& cloth);
+    ~AltitudeBlend() override;
 
     double energy(In x) const override;
     void add_conservative(In x, Out f) const override;
@@ -24,6 +27,8 @@ public:
     void add_couplings(Couplings& couplings) const override;
     void add_stiffness(In x, BlockMatrix& k) const override;
     void add_damping(In x, In v, double time, BlockMatrix& b) const override;
+    bool projects() const override { return true; }
+    void project(WeightedPoints& x, const WeightedPoints& before, double h) override;
 
 private:
     // calls visit(triangle, corners, shape and its derivatives) for every triangle with area
@@ -36,6 +41,7 @@ private:
     std::vector<double> weight_;                   // W = K hm [J]
     std::vector<double> damping_;                  // c [J s]
     bool damped_ = false;
+    std::unique_ptr<BlendProjection> projection_;  // made on first use
 };
 
 }  // namespace drape

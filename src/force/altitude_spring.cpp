@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "force/altitude_blend.h"
+#include "force/colouring.h"
 #include "force/kinds.h"
 
 namespace drape {
@@ -81,17 +82,20 @@ Eigen::Vector3d AltitudeSprings::compression_of(In x, Eigen::Index triangle) con
 }
 
 template <class Visit>
-void AltitudeSprings::each(In x, Visit visit) const {
-    for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
-        const TriangleAltitudes& rest = rest_[static_cast<size_t>(t)];
-        if (mode_ == AltitudeMode::all) {
-            for (int k = 0; k < 3; ++k) visit(pull_of(x, t, k, rest.weight[k], 0));
-            continue;
-        }
-        int corner = 0;
-        compression_of(x, t).maxCoeff(&corner);  // ties go to the first corner
-        visit(pull_of(x, t, corner, rest.common_weight, slack_));
+void AltitudeSprings::each_of(Eigen::Index t, In x, Visit visit) const {
+    const TriangleAltitudes& rest = rest_[static_cast<size_t>(t)];
+    if (mode_ == AltitudeMode::all) {
+        for (int k = 0; k < 3; ++k) visit(pull_of(x, t, k, rest.weight[k], 0));
+        return;
     }
+    int corner = 0;
+    compression_of(x, t).maxCoeff(&corner);  // ties go to the first corner
+    visit(pull_of(x, t, corner, rest.common_weight, slack_));
+}
+
+template <class Visit>
+void AltitudeSprings::each(In x, Visit visit) const {
+    for (Eigen::Index t = 0; t < faces_.cols(); ++t) each_of(t, x, visit);
 }
 
 double AltitudeSprings::energy(In x) const {
@@ -125,6 +129,30 @@ Power AltitudeSprings::add_all(In x, In v, double, Out f) const {
         dissipated += p.damping * rate * rate;
     });
     return {dissipated, 0};
+}
+
+// As springs are (edge_projection.h), with C = h - h0, grad C = (-(1-a), -a, 1) n.
+void AltitudeSprings::project(WeightedPoints& x, const WeightedPoints& before, double h) {
+    if (order_.empty())
+        order_ = colour_elements({faces_.data(), static_cast<size_t>(faces_.size())}, 3).order;
+    const auto here = x.topRows<3>();
+    const auto change = [&](int vertex) -> Vec3 {
+        return x.col(vertex).head<3>() - before.col(vertex).head<3>();
+    };
+    for (const int triangle : order_) {
+        each_of(triangle, here, [&](const Pull& p) {
+            if (p.stiffness == 0) return;
+            const double a = p.altitude.foot, damping = p.damping / h;
+            const double way = p.altitude.up.dot(change(p.x3) - (1 - a) * change(p.x1) - a * change(p.x2));
+            const double w1 = (1 - a) * x(3, p.x1), w2 = a * x(3, p.x2), w3 = x(3, p.x3);
+            const double inverse_mass = (1 - a) * w1 + a * w2 + w3;
+            const double pull =
+                (p.tension + damping * way) / (1 / (h * h) + inverse_mass * (p.stiffness + damping));
+            x.col(p.x1).head<3>() += pull * w1 * p.altitude.up;
+            x.col(p.x2).head<3>() += pull * w2 * p.altitude.up;
+            x.col(p.x3).head<3>() -= pull * w3 * p.altitude.up;
+        });
+    }
 }
 
 // With T = dE/dh, w = (-(1-a), -a, 1), q = (-1, 1, 0), t along the edge and b across the triangle's plane,

@@ -45,6 +45,8 @@ public:
     void add_couplings(Couplings& couplings) const override;
     void add_stiffness(In x, BlockMatrix& k) const override;
     void add_damping(In x, In v, double time, BlockMatrix& b) const override;
+    bool projects() const override { return true; }
+    void project(WeightedPoints& x, const WeightedPoints& before, double h) override;
 
     // altitudes at work whose foot stands outside its edge
     int feet_outside(In x) const;
@@ -61,6 +63,9 @@ private:
     // calls visit(Pull) for every altitude that acts at the pose x
     template <class Visit>
     void each(In x, Visit visit) const;
+    // the same for those of one triangle; `x` may change between calls
+    template <class Visit>
+    void each_of(Eigen::Index triangle, In x, Visit visit) const;
     Pull pull_of(In x, Eigen::Index triangle, int corner, double weight, double slack) const;
     Eigen::Vector3d compression_of(In x, Eigen::Index triangle) const;
     static Eigen::Vector3d row_sums(In x, const Pull& pull);  // of its stiffness, for x1, x2, x3 [N/m]
@@ -72,6 +77,7 @@ private:
     double slack_ = 0;  // c of `compressed`
     FootSharing sharing_;
     bool damped_ = false;
+    std::vector<int> order_;  // of triangles for project(), by colour; made on first use
 };
 
 }  // namespace drape

@@ -6,6 +6,7 @@
 
 #include "base/assert.h"
 #include "base/wide.h"
+#include "force/edge_projection.h"
 #include "force/kinds.h"
 
 namespace drape {
@@ -105,6 +106,8 @@ EdgeSprings::EdgeSprings(const std::vector<Spring>& springs, int first_vertex) {
     }
 }
 
+EdgeSprings::~EdgeSprings() = default;
+
 double EdgeSprings::energy(In x) const {
     double energy = 0;
     for (size_t s = 0; s < a_.size(); ++s) {
@@ -179,6 +182,12 @@ void EdgeSprings::add_damping(In x, In, double, BlockMatrix& b) const {
         const Vec3 n = along / length;
         b.add_element(std::array{a_[s], b_[s]}, between_ends(damping_[s] * n * n.transpose()));
     }
+}
+
+void EdgeSprings::project(WeightedPoints& x, const WeightedPoints& before, double h) {
+    if (!projection_)
+        projection_ = std::make_unique<EdgeProjection>(a_, b_, rest_length_, stiffness_, damping_);
+    projection_->sweep(x, before, h);
 }
 
 MadeForce make_edge_springs(const Cloth& cloth, const Surroundings&) {

@@ -9,9 +9,12 @@
 
 namespace drape {
 
+class EdgeProjection;
+
 class EdgeSprings final : public Force {
 public:
     EdgeSprings(const std::vector<Spring>& springs, int first_vertex);
+    ~EdgeSprings() override;
 
     double energy(In x) const override;
     void add_conservative(In x, Out f) const override;
@@ -21,11 +24,14 @@ public:
     void add_couplings(Couplings& couplings) const override;
     void add_stiffness(In x, BlockMatrix& k) const override;
     void add_damping(In x, In v, double time, BlockMatrix& b) const override;
+    bool projects() const override { return true; }
+    void project(WeightedPoints& x, const WeightedPoints& before, double h) override;
 
 private:
     std::vector<int> a_, b_;  // columns of the State
     std::vector<double> rest_length_, stiffness_, damping_;
     bool damped_ = false;
+    std::unique_ptr<EdgeProjection> projection_;  // made on first use
 };
 
 }  // namespace drape

@@ -36,6 +36,10 @@ struct StepBound {
         : stiffness(Eigen::VectorXd::Zero(vertices)), damping(Eigen::VectorXd::Zero(vertices)) {}
 };
 
+// Vertices as position-based methods move them: x, y, z and the inverse mass, 0 where pinned, in one column,
+// so that a vertex is one load of four.
+using WeightedPoints = Eigen::Matrix4Xd;
+
 class Force {
 public:
     virtual ~Force() = default;
@@ -57,6 +61,18 @@ public:
 
     // adds this force's rows at the pose x; holds for small changes of pose
     virtual void add_bound(In x, StepBound& bound) const = 0;
+
+    // For position-based methods.
+    // Whether project() stands in for the force; else they take it explicitly.
+    virtual bool projects() const { return false; }
+    // One sweep: every element in turn moves its vertices by the implicit step of h that it would make alone,
+    // from where `x` has them by now. `before` is where the step began. Not const: orders its elements on
+    // first use.
+    virtual void project(WeightedPoints& x, const WeightedPoints& before, double h) {
+        static_cast<void>(x);
+        static_cast<void>(before);
+        static_cast<void>(h);
+    }
 
     // For implicit methods. The defaults are those of a constant force.
     // Which vertices the two matrices couple, at any pose.
