@@ -6,6 +6,14 @@
 
 namespace drape {
 
+namespace {
+
+bool is_in(ForceShare share, const Force& force) {
+    return share == ForceShare::all || !force.projects();
+}
+
+}  // namespace
+
 Dynamics::Dynamics(const Model& model, std::vector<ActiveForce> forces, std::unique_ptr<Contact> contact)
     : model_(model), forces_(std::move(forces)), contact_(std::move(contact)) {
     std::string dissipating;
@@ -29,22 +37,23 @@ void Dynamics::to_acceleration(Points& f) const {
     }
 }
 
-void Dynamics::sum_conservative(In x, Points& f) {
+void Dynamics::sum_conservative(In x, ForceShare share, Points& f) {
     ++sweeps_;
     f.setZero(3, x.cols());
     for (const ActiveForce& active : forces_) {
+        if (!is_in(share, *active.force)) continue;
         active.force->add_conservative(x, f);
         ++active.calls;
     }
 }
 
-void Dynamics::acceleration_without_contact(In x, Points& a) {
-    sum_conservative(x, a);
+void Dynamics::acceleration_without_contact(In x, Points& a, ForceShare share) {
+    sum_conservative(x, share, a);
     to_acceleration(a);
 }
 
 void Dynamics::conservative_acceleration(In x, double time, Points& a) {
-    sum_conservative(x, a);
+    sum_conservative(x, ForceShare::all, a);
     if (contact_) {
         const ThreadCpuScope timer(contact_seconds_);
         contact_->add_conservative(x, time, a);
@@ -52,11 +61,12 @@ void Dynamics::conservative_acceleration(In x, double time, Points& a) {
     to_acceleration(a);
 }
 
-void Dynamics::sum_all(In x, In v, double time, Points& f) {
+void Dynamics::sum_all(In x, In v, double time, ForceShare share, Points& f) {
     ++sweeps_;
     f.setZero(3, x.cols());
     power_ = {};
     for (const ActiveForce& active : forces_) {
+        if (!is_in(share, *active.force)) continue;
         power_ += active.force->add_all(x, v, time, f);
         ++active.calls;
     }
@@ -74,12 +84,17 @@ void Dynamics::finish(In v, Points& f) {
 }
 
 void Dynamics::acceleration(In x, In v, double time, Points& a) {
-    sum_all(x, v, time, a);
+    sum_all(x, v, time, ForceShare::all, a);
+    finish(v, a);
+}
+
+void Dynamics::unprojected_acceleration(In x, In v, double time, Points& a) {
+    sum_all(x, v, time, ForceShare::unprojected, a);
     finish(v, a);
 }
 
 void Dynamics::acceleration_with_friction(In x, In v, double time, Points& a) {
-    sum_all(x, v, time, a);
+    sum_all(x, v, time, ForceShare::all, a);
     const ContactWork power = friction_.add_force(v, a);
     power_ += {power.dissipated, power.driven};
     finish(v, a);
@@ -87,6 +102,14 @@ void Dynamics::acceleration_with_friction(In x, In v, double time, Points& a) {
 
 void Dynamics::hold_friction() {
     if (contact_) friction_.hold(*contact_);
+}
+
+void Dynamics::project(WeightedPoints& x, const WeightedPoints& before, double h) {
+    for (const ActiveForce& active : forces_) {
+        if (!active.force->projects()) continue;
+        active.force->project(x, before, h);
+        ++active.calls;
+    }
 }
 
 void Dynamics::rub(State& state, double h) {
@@ -132,9 +155,10 @@ void Dynamics::add_damping(In x, In v, double time, BlockMatrix& b) const {
     if (contact_) contact_->add_damping(x, v, time, b);
 }
 
-StepBound Dynamics::bound(In x) const {
+StepBound Dynamics::bound(In x, ForceShare share) const {
     StepBound bound(model_.vertices());
-    for (const ActiveForce& active : forces_) active.force->add_bound(x, bound);
+    for (const ActiveForce& active : forces_)
+        if (is_in(share, *active.force)) active.force->add_bound(x, bound);
     return bound;
 }
 

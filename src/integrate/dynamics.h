@@ -25,6 +25,9 @@ struct EnergyFlow {
     double driven = 0;      // wind, moving pins and obstacles
 };
 
+// Which forces: all, or only those that a method which projects (Force::project) takes explicitly.
+enum class ForceShare { all, unprojected };
+
 class Dynamics {
 public:
     // `contact` may be null: no obstacle. The model must outlive this.
@@ -34,10 +37,16 @@ public:
     void conservative_acceleration(In x, double time, Points& a);
 
     // the same without contact: what bound() bounds
-    void acceleration_without_contact(In x, Points& a);
+    void acceleration_without_contact(In x, Points& a, ForceShare share = ForceShare::all);
 
     // a = all forces / m; keeps power, contact limits and friction's normal forces of this moment
     void acceleration(In x, In v, double time, Points& a);
+
+    // the same without the forces that project
+    void unprojected_acceleration(In x, In v, double time, Points& a);
+
+    // one sweep over all elements of the forces that project
+    void project(WeightedPoints& x, const WeightedPoints& before, double h);
 
     // For implicit methods: the same with friction as a force (contact/smooth_friction.h), under the normal
     // forces that hold_friction last took over from an acceleration.
@@ -57,9 +66,9 @@ public:
     // what is there of such things, in words
     const std::vector<std::string>& losses() const { return losses_; }
 
-    double kinetic_energy(In v) const;                 // of free vertices [J]
-    double potential_energy(In x, double time) const;  // elastic, gravity, contact [J]
-    StepBound bound(In x) const;                       // of all forces but contact
+    double kinetic_energy(In v) const;                                // of free vertices [J]
+    double potential_energy(In x, double time) const;                 // elastic, gravity, contact [J]
+    StepBound bound(In x, ForceShare share = ForceShare::all) const;  // of forces but contact
 
     // For implicit methods: which vertices any force couples; K += -df/dx and B += -df/dv of all forces and
     // contact, symmetric. Only contact's K depends on v.
@@ -77,9 +86,9 @@ public:
     double contact_seconds() const { return contact_seconds_; }  // CPU [s]
 
 private:
-    void sum_all(In x, In v, double time, Points& f);
-    void finish(In v, Points& f);            // books the pins' power, makes accelerations of forces
-    void sum_conservative(In x, Points& f);  // of all forces but contact
+    void sum_conservative(In x, ForceShare share, Points& f);  // of forces but contact
+    void sum_all(In x, In v, double time, ForceShare share, Points& f);
+    void finish(In v, Points& f);  // books the pins' power, makes accelerations of forces
     void to_acceleration(Points& f) const;
 
     const Model& model_;

@@ -12,6 +12,7 @@ std::unique_ptr<Integrator> make_srkn4();
 std::unique_ptr<Integrator> make_srkn6();
 std::unique_ptr<Integrator> make_rk4();
 std::unique_ptr<Integrator> make_embedded_rk();
+std::unique_ptr<Integrator> make_xpbd();
 std::unique_ptr<Integrator> make_backward_euler_1();
 std::unique_ptr<Integrator> make_backward_euler();
 std::unique_ptr<Integrator> make_bdf2();
@@ -24,6 +25,7 @@ double srkn4_longest_step(const Spectrum&);
 double srkn6_longest_step(const Spectrum&);
 double rk4_longest_step(const Spectrum&);
 double embedded_rk_longest_step(const Spectrum&);
+double xpbd_longest_step(const Spectrum&);
 inline double unlimited_step(const Spectrum&) {
     return INFINITY;
 }

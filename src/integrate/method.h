@@ -51,9 +51,11 @@ struct Method {
     // that is stable for every mode within the spectrum [s]; infinite if every step is
     double (*longest_step)(const Spectrum&);
     std::unique_ptr<Integrator> (*make)();
-    bool controls_step = false;  // cuts a step that it finds too long, so that none is unstable
+    bool controls_step = false;     // cuts a step that it finds too long, so that none is unstable
+    bool projects_springs = false;  // so that only the other forces bind its step
 
     bool conservative_only() const { return order_with_damping == 0; }
+    ForceShare explicit_share() const { return projects_springs ? ForceShare::unprojected : ForceShare::all; }
     bool is_implicit() const { return longest_step({1, 0}) == INFINITY; }
 };
 

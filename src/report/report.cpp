@@ -188,9 +188,12 @@ std::string report_json(const RunReport& r) {
 
 std::string report_summary(const RunReport& r) {
     const StageTimes& t = r.times;
+    const double margin = r.longest_step / r.step;
+    const std::string stable = std::isfinite(margin)
+                                   ? number("%.2f", margin) + " of them would still be stable"
+                                   : "any step is stable";
     std::string text = cat(r.scene, ": ", r.frames.size(), " frames, ", r.steps(), " steps of ",
-                           r.method->name, ", ", number("%.3g", r.step * 1e6), " us each (",
-                           number("%.2f", r.longest_step / r.step), " of them would still be stable)\n");
+                           r.method->name, ", ", number("%.3g", r.step * 1e6), " us each (", stable, ")\n");
     text += cat("  CPU ", number("%.1f", t.total), " s: simulate ", number("%.1f", t.simulate), " (contact ",
                 number("%.1f", t.contact), "), render ", number("%.1f", t.render), ", encode ",
                 number("%.1f", t.encode), "; wall ", number("%.1f", t.wall), " s; memory ",

@@ -17,7 +17,8 @@ namespace {
 constexpr double margin = 0.85;                 // of the longest stable step that is used
 constexpr double widest_margin = 0.98;          // ... by a pass that is there to be coarser
 constexpr double measured_excess = 1.1;         // a measured fastest mode is taken to be this much faster
-constexpr double usual_implicit_step = 0.0025;  // where nothing asks for another [s]
+// where nothing asks for another [s]
+constexpr double usual_implicit_step = 0.0025, usual_projecting_step = 0.0005;
 constexpr int most_halvings = 30;               // of a step that crossed into an obstacle or was not solved
 
 std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
@@ -88,11 +89,14 @@ void Simulation::build() {
 }
 
 void Simulation::choose_step() {
-    spectrum_ = gershgorin_spectrum(*dynamics_, state_.x);
+    const ForceShare share = method_->explicit_share();
+    spectrum_ = gershgorin_spectrum(*dynamics_, state_.x, share);
     guaranteed_ = method_->longest_step(spectrum_);
-    spectrum_.omega = std::min(spectrum_.omega, measured_excess * measured_omega(*dynamics_, state_.x));
+    spectrum_.omega =
+        std::min(spectrum_.omega, measured_excess * measured_omega(*dynamics_, state_.x, share));
     longest_ = method_->longest_step(spectrum_);
-    const double usual = method_->is_implicit() ? usual_implicit_step : margin * longest_;
+    double usual = method_->is_implicit() ? usual_implicit_step : margin * longest_;
+    if (method_->projects_springs) usual = std::min(usual, usual_projecting_step);
     step_ = 1 / setup_.frame_rate / steps_a_frame(setup_.step.value_or(usual));
     pace_ = step_ / usual;
 }

@@ -24,14 +24,14 @@ Points rough_mode(const Model& model) {
 
 }  // namespace
 
-Spectrum gershgorin_spectrum(const Dynamics& dynamics, In x) {
-    const StepBound bound = dynamics.bound(x);
+Spectrum gershgorin_spectrum(const Dynamics& dynamics, In x, ForceShare share) {
+    const StepBound bound = dynamics.bound(x, share);
     const Eigen::VectorXd& inverse_mass = dynamics.model().inverse_mass;
     return {std::sqrt(bound.stiffness.cwiseProduct(inverse_mass).maxCoeff()),
             bound.damping.cwiseProduct(inverse_mass).maxCoeff()};
 }
 
-double measured_omega(Dynamics& dynamics, In x) {
+double measured_omega(Dynamics& dynamics, In x, ForceShare share) {
     // a difference of accelerations over a way far below an edge, far above round-off
     const double reach = 1e-7 * (1 + x.cwiseAbs().maxCoeff());
     // in the norm that makes M^-1 K symmetric
@@ -40,13 +40,13 @@ double measured_omega(Dynamics& dynamics, In x) {
         return a.cwiseProduct(b).colwise().sum().dot(mass.transpose());
     };
     Points here, moved, mode = rough_mode(dynamics.model()), last = Points::Zero(3, x.cols());
-    dynamics.acceleration_without_contact(x, here);
+    dynamics.acceleration_without_contact(x, here, share);
     Eigen::VectorXd diagonal(most_rounds), beside(most_rounds);
     double size = std::sqrt(product(mode, mode)), fastest = 0;
     for (int round = 0; round < most_rounds && size > 1e-6 * fastest; ++round) {
         mode /= size;
         const double way = reach / std::sqrt(mode.colwise().squaredNorm().maxCoeff());
-        dynamics.acceleration_without_contact(x + way * mode, moved);
+        dynamics.acceleration_without_contact(x + way * mode, moved, share);
         Points next = (here - moved) / way;
         diagonal[round] = product(next, mode);
         next -= diagonal[round] * mode + (round > 0 ? size : 0) * last;

