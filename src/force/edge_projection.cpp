@@ -43,8 +43,8 @@ inline __attribute__((always_inline)) void project_four(const Columns& s, int i,
         dx[k] = d[k][0];
         dy[k] = d[k][1];
         dz[k] = d[k][2];
-        wa[k] = pa[k][3];
-        wb[k] = pb[k][3];
+        wa[k] = x[4 * s.a[i + k] + 3];
+        wb[k] = x[4 * s.b[i + k] + 3];
     }
     if (damped) {
         Four qx, qy, qz;
@@ -63,10 +63,10 @@ inline __attribute__((always_inline)) void project_four(const Columns& s, int i,
     }
     const Four squared = dx * dx + dy * dy + dz * dz;
     for (int k = 0; k < 4; ++k) length[k] = std::sqrt(squared[k]);
-    Four rest, stiffness, safe;
+    const Four safe = length > 0 ? length : Four{1, 1, 1, 1};
+    Four rest, stiffness;
     load(rest, s.rest_length + i);
     load(stiffness, s.stiffness + i);
-    for (int k = 0; k < 4; ++k) safe[k] = length[k] > 0 ? length[k] : 1;
     const Four below = step.inverse_squared + (wa + wb) * (stiffness + damping);
     // h^2 f / l
     const Four pull = damped ? (stiffness * (length - rest) * safe + damping * rate) / (safe * safe * below)
