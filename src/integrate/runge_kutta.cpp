@@ -13,16 +13,21 @@ bool RungeKutta4::stage(Dynamics& dynamics, const State& state, double seconds, 
     trial_.time = state.time + seconds;
     place_pins(dynamics.model(), trial_);
     dynamics.acceleration(trial_.x, trial_.v, trial_.time, a);
+    if (dynamics.contact()) a += friction_;
     dynamics.book(booked);
     return !dynamics.touch().crossed;
 }
 
 bool RungeKutta4::advance(Dynamics& dynamics, State& state, double h) {
-    if (dynamics.contact()) {
-        dynamics.rub(state, h / 2);
-        dynamics.acceleration(state.x, state.v, state.time, first_);
-    }
     dynamics.book(h / 6);
+    const bool rubs = dynamics.contact() != nullptr;
+    if (rubs) {
+        ahead_ = state.v + h * first_;
+        trial_.v = ahead_;
+        dynamics.rub(trial_, h);
+        friction_ = (trial_.v - ahead_) / h;
+        first_ += friction_;
+    }
     trial_.x = state.x + h / 2 * state.v;
     trial_.v = state.v + h / 2 * first_;
     if (!stage(dynamics, state, h / 2, second_, h / 3)) return false;
@@ -38,9 +43,8 @@ bool RungeKutta4::advance(Dynamics& dynamics, State& state, double h) {
     state.time += h;
     place_pins(dynamics.model(), state);
     dynamics.acceleration(state.x, state.v, state.time, first_);
-    if (dynamics.touch().crossed) return false;
-    dynamics.rub(state, h / 2);
-    return true;
+    if (rubs) fourth_ -= friction_;  // to be compared
+    return !dynamics.touch().crossed;
 }
 
 double RungeKutta4::disagreement() const {

@@ -10,8 +10,8 @@
 // weights, do as well as those of a4. The two differ by h/6 (a4 - a5): an estimate of the error that costs no
 // sweep.
 //
-// Friction acts for half a step before and half a step after; it changes velocities, so with contact a1 is
-// taken anew.
+// Friction is one acceleration for the whole step: what its impulses would do to v + h a1, over h. Where that
+// brings a vertex to rest its acceleration is 0 at every stage, so it sticks without creeping.
 #pragma once
 
 #include "integrate/method.h"
@@ -37,7 +37,7 @@ private:
     bool stage(Dynamics& dynamics, const State& state, double seconds, Points& a, double booked);
 
     State trial_;
-    Points first_, second_, third_, fourth_;
+    Points first_, second_, third_, fourth_, ahead_, friction_;
 };
 
 }  // namespace drape

@@ -14,12 +14,12 @@ namespace drape {
 
 namespace {
 
-constexpr double margin = 0.85;                 // of the longest stable step that is used
-constexpr double widest_margin = 0.98;          // ... by a pass that is there to be coarser
-constexpr double measured_excess = 1.1;         // a measured fastest mode is taken to be this much faster
+constexpr double margin = 0.85;          // of the longest stable step that is used
+constexpr double widest_margin = 0.98;   // ... by a pass that is there to be coarser
+constexpr double measured_excess = 1.1;  // a measured fastest mode is taken to be this much faster
 // where nothing asks for another [s]
 constexpr double usual_implicit_step = 0.0025, usual_projecting_step = 0.0005;
-constexpr int most_halvings = 30;               // of a step that crossed into an obstacle or was not solved
+constexpr int most_halvings = 30;  // of a step that crossed into an obstacle or was not solved
 
 std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
     return model.cloths.size() > 1 ? cat(stage, " (cloth ", cloth + 1, ")") : std::string(stage);
