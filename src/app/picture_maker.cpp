@@ -117,15 +117,14 @@ PictureMaker::PictureMaker(const SceneDescription& scene, const Simulation& simu
     : overlay_(scene.look.overlay),
       renderer_(settings_of(scene, simulation), cloths_of(scene, simulation), solids_of(scene, simulation)) {}
 
-Image PictureMaker::draw(const Delivery& delivery) {
+Image PictureMaker::draw(const Simulation& simulation, const State& state,
+                         const Eigen::VectorXf& vertex_error) {
     FrameInput frame;
-    const Simulation& simulation = delivery.simulation();
-    const State& state = delivery.state();
     for (const Cloth& cloth : simulation.model().cloths) {
         frame.cloth.emplace_back(state.x.middleCols(cloth.first, cloth.vertices()));
         if (overlay_ == "strain")
             frame.tint.push_back(vertex_strain(cloth, state.x) / static_cast<float>(strain_range));
-        if (overlay_ == "error") frame.tint.push_back(error_tint(cloth, delivery.vertex_error()));
+        if (overlay_ == "error") frame.tint.push_back(error_tint(cloth, vertex_error));
     }
     for (const Obstacle& obstacle : simulation.obstacles())
         frame.solid.push_back(obstacle.motion.at(state.time).pose);

@@ -7,7 +7,7 @@
 #include "base/image.h"
 #include "render/renderer.h"
 #include "scene/description.h"
-#include "simulate/delivery.h"
+#include "simulate/simulation.h"
 
 namespace drape {
 
@@ -15,7 +15,9 @@ class PictureMaker {
 public:
     PictureMaker(const SceneDescription& scene, const Simulation& simulation);
 
-    Image draw(const Delivery& delivery);  // its last frame
+    // the cloth as it is in `state`, among the simulation's obstacles at that time; `vertex_error` [m], empty
+    // if not known, is what the overlay of that name shows
+    Image draw(const Simulation& simulation, const State& state, const Eigen::VectorXf& vertex_error = {});
     std::string renderer() const { return renderer_.description(); }
 
 private:

@@ -187,7 +187,7 @@ void Run::draw_frame([[maybe_unused]] int frame) {
     {
         const CpuScope timer(report_.times.render);
         if (!pictures_) pictures_ = std::make_unique<PictureMaker>(scene_, delivery_->simulation());
-        image = pictures_->draw(*delivery_);
+        image = pictures_->draw(delivery_->simulation(), delivery_->state(), delivery_->vertex_error());
     }
     std::vector<std::uint8_t> png;
     {

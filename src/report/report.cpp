@@ -19,14 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// what kind of machine: its processor's own name
-std::string processor_name() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "unknown";
-}
-
 Json known(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -142,6 +134,13 @@ int RunReport::contacts_max() const {
     int most = 0;
     for (const FrameReport& frame : frames) most = std::max(most, frame.contacts);
     return most;
+}
+
+std::string processor_name() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "unknown";
 }
 
 double peak_memory_mb() {

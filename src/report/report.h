@@ -44,6 +44,9 @@ std::string report_json(const RunReport& report);
 // A few lines for the console.
 std::string report_summary(const RunReport& report);
 
+// What kind of machine: its processor's own name.
+std::string processor_name();
+
 // Largest resident memory of the process so far [MB].
 double peak_memory_mb();
 

@@ -2,33 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "base/error.h"
 #include "simulate/side_by_side.h"
+#include "simulate/twin.h"
 
 namespace drape {
 
 namespace {
 
-constexpr double twin_offset = 1e-12;      // [m]
 constexpr double first_refinement = 1.25;  // between the first two passes
 constexpr double least_refinement = 1.3, most_refinement = 8;
 constexpr double aim = 0.6;    // of the tolerance, when the next pass's steps are chosen
 constexpr double idle = 0.75;  // a pass whose error is more than this of the last one's was idle
 constexpr int most_idle = 2, most_failed = 3, most_passes = 12;
 constexpr double least_order = 0.5;
-
-// Every free vertex moved by twin_offset, each its own way.
-State moved_a_little(const Model& model, State start) {
-    std::mt19937 random(1);
-    for (Eigen::Index i = 0; i < start.x.cols(); ++i) {
-        Vec3 way;
-        for (double& c : way) c = double(random()) / double(std::mt19937::max()) - 0.5;
-        if (model.inverse_mass[i] > 0) start.x.col(i) += twin_offset * way.normalized();
-    }
-    return start;
-}
 
 }  // namespace
 

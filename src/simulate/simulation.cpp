@@ -78,6 +78,7 @@ void Simulation::build() {
         } else {
             plan_.use(stage, "within reach of the cloth");
             within_reach.push_back(obstacle);
+            rubs_ = rubs_ || obstacle.friction > 0;
         }
     }
     std::unique_ptr<Contact> contact;

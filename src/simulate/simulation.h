@@ -81,6 +81,9 @@ public:
     long sweeps() const { return dynamics_->sweeps(); }
     double contact_seconds() const { return dynamics_->contact_seconds(); }  // CPU, of the run so far [s]
     Energies energies() const;
+    SolverWork solver_work() const { return integrator_->work(); }  // of the run so far
+    // an obstacle within reach has friction, whose impulses are no part of a differential equation
+    bool rubs() const { return rubs_; }
     const EnergyFlow& flow() const { return dynamics_->flow(); }
 
     // To go on from a frame reached earlier, with the same bits as a run that was never interrupted: whatever
@@ -109,6 +112,7 @@ private:
     double pace_ = 1;                 // the step over the one a run that asks for nothing would take
     double left_out_gap_ = INFINITY;  // to the nearest obstacle that was left out as out of reach [m]
     int frame_ = 0;
+    bool rubs_ = false;
 };
 
 }  // namespace drape
