@@ -112,6 +112,40 @@ Action declare_inspect(CLI::App& verb) {
     return [wanted] { return inspect(wanted->path, wanted->set); };
 }
 
+Action declare_study(CLI::App& verb) {
+    auto study = std::make_shared<StudyRequest>();
+    verb.add_option("SCENE", study->scene, "a scene file, or the name of a demo scene")->required();
+    verb.add_option("--out", study->out,
+                    "folder of the results (default: renders/, the scene's name, _study)")
+        ->type_name("DIR");
+    verb.add_option("--set", study->set, "change a value of the scene; may be given again")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb.add_option_function<std::string>(
+            "--until",
+            [study](const std::string& text) {
+                study->until = positive_number(text, "--until", "seconds over 0");
+            },
+            "study the first seconds of the scene (default: as many as the budget allows)")
+        ->type_name("S");
+    verb.add_option("--repeats", study->repeats, "runs of each method and step, fewer where dear (default 3)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100));
+    verb.add_option_function<std::string>(
+            "--budget",
+            [study](const std::string& text) {
+                study->budget = positive_number(text, "--budget", "CPU seconds over 0");
+            },
+            "CPU seconds for all together (default 600)")
+        ->type_name("S");
+    verb.add_option("--method", study->methods, "only this method; may be given again (default: all)")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    verb.add_flag("--refine", study->refine, "judge the mesh's own error too, on coarser and finer ones");
+    verb.add_flag("--quiet", study->quiet, "print nothing but errors");
+    return [study] { return study_scene(*study); };
+}
+
 Action declare_mesh(CLI::App& verb) {
     auto wanted = std::make_shared<PatternOptions>();
     verb.add_option("PATTERN", wanted->pattern, "drape list patterns")->required();
@@ -140,6 +174,7 @@ constexpr std::array verbs{
     Verb{"simulate", "Simulate a scene without pictures; a cache keeps the positions", declare_simulate},
     Verb{"inspect", "Say what a scene uses and costs, or what a mesh is like; nothing is run",
          declare_inspect},
+    Verb{"study", "Measure error against run time of every method on a scene", declare_study},
     Verb{"mesh", "Write a generated cloth mesh", declare_mesh},
     Verb{"list", "Print the names a scene or a command may use", declare_list},
 };

@@ -5,7 +5,7 @@ _drape() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect mesh list --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study mesh list --help --version" -- "$word")
         return
     fi
     case $previous in
@@ -16,7 +16,7 @@ _drape() {
                 embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2" -- "$word")
             return
             ;;
-        --step | --tolerance | --threads | --set | --frames | --size) return ;;
+        --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget) return ;;
     esac
 
     local words
@@ -24,6 +24,7 @@ _drape() {
         render) words="$run --frames --size" ;;
         simulate) words="$run --cache" ;;
         inspect) words="--set --help" ;;
+        study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         mesh) words="one_way alternating -o --size --divisions --help" ;;
         list) words="scenes fabrics methods obstacles patterns --help" ;;
         *) return ;;

@@ -26,6 +26,18 @@ struct RunOptions {
     std::string cache;                         // simulate: "" = none
 };
 
+struct StudyRequest {
+    std::string scene;
+    std::string out;                   // "" = renders/<scene file's stem>_study
+    std::vector<std::string> set;      // KEY=VALUE
+    std::optional<double> until;       // the first seconds of the scene; none: what the budget allows [s]
+    int repeats = 3;                   // of every run
+    double budget = 600;               // for all together [CPU s]
+    std::vector<std::string> methods;  // none = all
+    bool refine = false;               // judge the mesh's own error too
+    bool quiet = false;
+};
+
 struct PatternOptions {
     std::string pattern, file;
     std::array<double, 2> size{1, 1};      // width, depth [m]

@@ -10,6 +10,7 @@ namespace drape {
 
 Exit run_scene(const RunOptions& options);                                         // render, simulate
 Exit inspect(const std::string& path, const std::vector<std::string>& overrides);  // a scene or a mesh
+Exit study_scene(const StudyRequest& request);
 Exit write_pattern(const PatternOptions& options);
 Exit list_kinds(const std::string& kind);  // "" = all
 

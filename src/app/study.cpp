@@ -1,0 +1,139 @@
+// study: error against run time of every method on one scene, as a table, plots and a page.
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "app/demo_scenes.h"
+#include "app/verbs.h"
+#include "app/version.h"
+#ifdef DRAPE_WITH_STUDY
+#include "io/read_file.h"
+#include "io/write_file.h"
+#include "report/report.h"
+#include "scene/builder.h"
+#include "scene/reader.h"
+#include "study/gnuplot.h"
+#include "study/study_csv.h"
+#include "study/study_page.h"
+#include "study/study_plot.h"
+#include "study/sundials_reference.h"
+#ifdef DRAPE_WITH_RENDER
+#include "app/picture_maker.h"
+#endif
+#endif
+
+namespace drape {
+
+#ifdef DRAPE_WITH_STUDY
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t largest_plot = std::uint64_t{64} << 20;  // [bytes]
+
+std::vector<const Method*> methods_of(const StudyRequest& request) {
+    std::vector<const Method*> asked;
+    for (const std::string& name : request.methods) asked.push_back(&method_named(name));
+    if (asked.empty())
+        for (const Method& method : methods()) asked.push_back(&method);
+    return asked;
+}
+
+std::string shell_word(const std::string& word) {
+    const bool plain = word.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                           "_-./=:,+") == std::string::npos;
+    return plain && !word.empty() ? word : "'" + word + "'";
+}
+
+// The command that makes this study again.
+std::string command_of(const StudyRequest& request) {
+    std::string command = "drape study " + shell_word(request.scene);
+    for (const std::string& set : request.set) command += " --set " + shell_word(set);
+    if (request.until) command += cat(" --until ", *request.until);
+    for (const std::string& method : request.methods) command += " --method " + shell_word(method);
+    command += cat(" --repeats ", request.repeats, " --budget ", request.budget);
+    return command + (request.refine ? " --refine" : "");
+}
+
+DrawState drawer([[maybe_unused]] SceneDescription scene, [[maybe_unused]] const Setup& setup) {
+#ifdef DRAPE_WITH_RENDER
+    struct Kept {
+        Simulation simulation;
+        PictureMaker pictures;
+        Kept(const SceneDescription& drawn, const Setup& from)
+            : simulation(from), pictures(drawn, simulation) {}
+    };
+    scene.look.size = {640, 360};
+    Setup any = setup;
+    any.method = "verlet";
+    any.step.reset();
+    const auto kept = std::make_shared<Kept>(scene, any);
+    return [kept](const State& state) { return kept->pictures.draw(kept->simulation, state); };
+#else
+    return {};
+#endif
+}
+
+StudyPlots make_plots(const Study& study, const std::string& out, std::string& gnuplot_version) {
+    write_file(out + "/plots.gp", plot_script(study));
+    const GnuplotRun run = run_gnuplot(out);
+    gnuplot_version = run.version;
+    if (!run.trouble.empty()) return {{}, {}, run.trouble};
+    return {read_file(out + "/error_time.svg", largest_plot),
+            read_file(out + "/error_over_time.svg", largest_plot),
+            {}};
+}
+
+void print_findings(const Study& study, const std::string& out) {
+    std::printf("%s: %s\n", study.scene.c_str(), study.probe.window.c_str());
+    for (const double metres : {1e-2, 1e-3, 1e-4})
+        std::printf("  %s\n", cheapest_sentence(study, metres).c_str());
+    std::printf("  error bar %.3g m, predictability floor %.3g m; %.1f CPU s\n  %s/index.html\n", study.bar(),
+                study.floor(), study.cpu_seconds, out.c_str());
+}
+
+}  // namespace
+
+Exit study_scene(const StudyRequest& request) {
+    const SceneDescription scene = read_scene(scene_path(request.scene), request.set);
+    StudyOptions options;
+    options.until = request.until;
+    options.repeats = request.repeats;
+    options.budget = request.budget;
+    options.methods = methods_of(request);
+    if (!request.quiet)
+        options.say = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+    const std::string out =
+        request.out.empty() ? "renders/" + fs::path(request.scene).stem().string() + "_study" : request.out;
+    const Setup setup = build_scene(scene).setup;
+    make_folder(out);
+    // meshes twice as fine are dear: they have a third of the budget
+    if (request.refine) options.budget *= 2.0 / 3;
+    Study study = run_study(setup, options, drawer(scene, setup));
+    study.scene = scene.name;
+    if (request.refine)
+        study.refinement = refine_mesh(scene, study.probe.frames, request.budget / 3, options.say);
+
+    write_file(out + "/study.csv", study_csv(study));
+    Provenance provenance{command_of(request), std::string(version), "",
+                          sundials_version(),  processor_name(),     std::thread::hardware_concurrency()};
+    const StudyPlots plots = make_plots(study, out, provenance.gnuplot_version);
+    write_file(out + "/index.html", study_page(study, plots, provenance));
+    if (!request.quiet) print_findings(study, out);
+    if (!plots.trouble.empty())
+        throw Error(cat(out, ": no plots: ", plots.trouble, " (study.csv and index.html are written)"),
+                    Exit::cannot_write);
+    return Exit::done;
+}
+
+#else
+
+Exit study_scene(const StudyRequest&) {
+    throw Error("this drape was built without `study` (build with DRAPE_STUDY=ON, which needs SUNDIALS)");
+}
+
+#endif
+
+}  // namespace drape

@@ -1,0 +1,21 @@
+// Bricks of a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace drape {
+
+// Safe as text and as an attribute's value.
+std::string escaped(const std::string& text);
+
+std::string paragraph(const std::string& text);  // escapes
+// A table; cells are escaped, those after `words` of a row are set as numbers.
+std::string table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
+                  std::size_t words);
+
+// An SVG file's text as part of a page: without its prolog, and with its ids, which must be unique on a page,
+// made so by `prefix`.
+std::string inlined_svg(const std::string& svg, const std::string& prefix, const std::string& title);
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+#include "study/ladder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double widest = 0.98;   // of the longest stable step
+constexpr int most_halvings = 5;  // of explicit steps: more cost much and teach nothing new
+constexpr int most_implicit_halvings = 12;
+constexpr int most_failures = 4;  // in a row
+
+}  // namespace
+
+int Ladder::Row::steps() const {
+    return static_cast<int>(std::ceil(first * std::pow(ratio, rung) * (1 - 1e-9)));
+}
+
+Ladder::Ladder(const Setup& setup, const Probe& probe, const std::vector<const Method*>& methods, bool fine)
+    : frame_time_(1 / setup.frame_rate) {
+    for (const Method* method : methods) {
+        try {
+            const Simulation simulation(with_steps(setup, method->name, 1));
+            Row row;
+            row.method = method;
+            row.ratio = fine && !method->is_implicit() ? std::sqrt(2.0) : 2;
+            const double stable = widest * simulation.longest_step();
+            row.first = std::isfinite(stable) ? std::max(1.0, std::ceil(frame_time_ / stable)) : 1;
+            const int halvings = method->is_implicit() ? most_implicit_halvings : most_halvings;
+            row.most = static_cast<int>(std::lround(halvings / std::log2(row.ratio))) + 1;
+            row.seconds_per_step = seconds_per_step(simulation, probe);
+            rows_.push_back(row);
+        } catch (const Error& error) {
+            refused_.push_back({method, error.what()});
+        }
+    }
+}
+
+std::optional<Rung> Ladder::next() const {
+    std::optional<Rung> cheapest;
+    for (const Row& row : rows_) {
+        if (row.rung >= row.most) continue;
+        const double cpu = row.seconds_per_step * row.steps();
+        if (cheapest && cheapest->predicted_cpu <= cpu) continue;
+        Rung rung;
+        rung.method = row.method;
+        rung.steps_a_frame = row.steps();
+        rung.step = frame_time_ / rung.steps_a_frame;
+        rung.predicted_cpu = cpu;
+        cheapest = rung;
+    }
+    return cheapest;
+}
+
+void Ladder::done(const Rung& rung) {
+    const auto row =
+        std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.method == rung.method; });
+    if (row == rows_.end()) return;
+    row->failed = rung.failed.empty() ? 0 : row->failed + 1;
+    const bool enough = rung.good() && rung.errors.below_bar;
+    if (enough || !rung.left_out.empty() || row->failed >= most_failures) {
+        row->rung = row->most;
+        return;
+    }
+    // a whole pass tells its method's cost better than any prediction
+    if (rung.good()) row->seconds_per_step = median(rung.cpu) / rung.steps_a_frame;
+    const int before = row->steps();
+    do ++row->rung;
+    while (row->rung < row->most && row->steps() == before);
+}
+
+}  // namespace drape

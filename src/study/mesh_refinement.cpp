@@ -1,0 +1,130 @@
+#include "study/mesh_refinement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.h"
+#include "scene/builder.h"
+#include "simulate/predicted_cost.h"
+#include "study/measure.h"
+
+namespace drape {
+
+namespace {
+
+constexpr std::array factors{0.5, 1.0, 2.0};
+constexpr double least_order = 0.5, most_order = 4;
+
+std::string why_not(const SceneDescription& scene) {
+    for (size_t c = 0; c < scene.cloths.size(); ++c) {
+        const ClothDescription& cloth = scene.cloths[c];
+        if (!cloth.mesh.empty())
+            return cat("cloth ", c + 1, " is a mesh file; refining the mesh needs a pattern");
+        if (!cloth.start.mesh.empty())
+            return cat("cloth ", c + 1, " starts from a mesh file, which has one set of divisions");
+    }
+    return "";
+}
+
+bool divisible(const SceneDescription& scene, double factor) {
+    return std::all_of(scene.cloths.begin(), scene.cloths.end(), [&](const ClothDescription& cloth) {
+        const double columns = factor * cloth.pattern_size.columns, rows = factor * cloth.pattern_size.rows;
+        return columns >= 1 && rows >= 1 && columns == std::floor(columns) && rows == std::floor(rows);
+    });
+}
+
+SceneDescription refined(SceneDescription scene, double factor) {
+    for (ClothDescription& cloth : scene.cloths) {
+        PatternSize& size = cloth.pattern_size;
+        size.columns = static_cast<int>(std::lround(factor * size.columns));
+        size.rows = static_cast<int>(std::lround(factor * size.rows));
+    }
+    return scene;
+}
+
+// The vertices that the mesh `stride` times coarser also has, cloth after cloth; patterns run row by row.
+Points common_vertices(const SceneDescription& scene, const Model& model, In x, int stride) {
+    std::vector<Eigen::Index> common;
+    for (size_t c = 0; c < scene.cloths.size(); ++c) {
+        const PatternSize& size = scene.cloths[c].pattern_size;
+        const std::vector<int>& vertex = model.cloths[c].mesh.file_vertex;
+        for (int row = 0; row <= size.rows; row += stride)
+            for (int column = 0; column <= size.columns; column += stride)
+                common.push_back(model.cloths[c].first +
+                                 vertex[static_cast<size_t>(row * (size.columns + 1) + column)]);
+    }
+    return x(Eigen::all, common);
+}
+
+// Distances from the finest of three meshes, each of half the edge of the one before, in their ratio
+// (4^p - 1) / (2^p - 1) = 2^p + 1.
+void estimate(MeshRefinement& refinement, const std::vector<RefinedMesh*>& run) {
+    const auto own =
+        std::find_if(run.begin(), run.end(), [](const RefinedMesh* mesh) { return mesh->factor == 1; });
+    if (own == run.end() || *own == run.back()) return;
+    if (own != run.begin()) {
+        const double ratio = (*std::prev(own))->last.rms / (*own)->last.rms;
+        refinement.order = std::clamp(std::log2(std::max(ratio - 1, 1.0)), least_order, most_order);
+        refinement.order_seen = true;
+    }
+    const double gain = std::pow(2, refinement.order);
+    refinement.error = (*own)->last.rms * gain / (gain - 1);
+}
+
+}  // namespace
+
+MeshRefinement refine_mesh(const SceneDescription& scene, int frames, double most_cpu,
+                           const std::function<void(const std::string&)>& say) {
+    MeshRefinement refinement;
+    refinement.refused = why_not(scene);
+    if (!refinement.refused.empty()) return refinement;
+    std::vector<std::vector<Points>> positions;
+    double coarsest = 0, spent = 0, calibration = 1;
+    for (const double factor : factors) {
+        RefinedMesh mesh;
+        mesh.factor = factor;
+        if (divisible(scene, factor)) {
+            const SceneDescription description = refined(scene, factor);
+            Setup setup = build_scene(description).setup;
+            setup.frames = frames;
+            setup.method.clear();
+            setup.step.reset();
+            mesh.vertices = setup.model.vertices();
+            const double predicted = predicted_cost(Simulation(setup)).seconds;
+            if (calibration * predicted > most_cpu - spent) {
+                mesh.left_out = cat("would cost ", calibration * predicted, " CPU s");
+            } else {
+                if (coarsest == 0) coarsest = factor;
+                const int stride = static_cast<int>(std::lround(factor / coarsest));
+                std::vector<Points>& x = positions.emplace_back();
+                const MeasuredPass pass = measure_pass(setup, INFINITY, [&](const State& state) {
+                    x.push_back(common_vertices(description, setup.model, state.x, stride));
+                });
+                mesh.cpu_seconds = pass.cpu_seconds;
+                mesh.left_out = pass.trouble;
+                spent += pass.cpu_seconds;
+                calibration = pass.cpu_seconds / predicted;
+                if (!pass.trouble.empty()) positions.pop_back();
+            }
+        } else {
+            mesh.left_out = "its divisions are odd";
+        }
+        say(cat("mesh x ", factor, ": ",
+                mesh.left_out.empty() ? cat(mesh.cpu_seconds, " CPU s") : mesh.left_out));
+        refinement.meshes.push_back(mesh);
+    }
+    std::vector<RefinedMesh*> run;
+    for (RefinedMesh& mesh : refinement.meshes)
+        if (mesh.left_out.empty()) run.push_back(&mesh);
+    for (size_t i = 0; i + 1 < run.size(); ++i) {
+        for (size_t k = 0; k < positions[i].size(); ++k) {
+            run[i]->last = distance_between(positions[i][k], positions.back()[k]);
+            run[i]->worst_rms = std::max(run[i]->worst_rms, run[i]->last.rms);
+        }
+    }
+    estimate(refinement, run);
+    return refinement;
+}
+
+}  // namespace drape

@@ -1,0 +1,202 @@
+#include "study/study_page.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "study/findings.h"
+#include "study/html.h"
+#include "study/numbers.h"
+
+namespace drape {
+
+namespace {
+
+constexpr const char* style =
+    "body{font:16px/1.55 system-ui,-apple-system,'Segoe UI',sans-serif;color:#222;background:#fff;"
+    "max-width:70rem;margin:2.5rem auto;padding:0 1.25rem}"
+    "h1{font-size:1.8rem;line-height:1.2;margin:0 0 .3rem}h2{font-size:1.2rem;margin:2.4rem 0 .5rem}"
+    "p,li{max-width:46rem}.lead{color:#555;margin:0 0 1.5rem}"
+    "ul.answer{list-style:none;padding:.9rem 1.2rem;margin:0;background:#f5f7f9;border-left:4px solid "
+    "#0072b2}"
+    "figure{margin:1.2rem 0}figcaption{color:#555;font-size:.9rem;max-width:46rem}"
+    "svg{max-width:100%;height:auto}.wide{overflow-x:auto}"
+    "table{border-collapse:collapse;font-size:.86rem;font-variant-numeric:tabular-nums;white-space:nowrap}"
+    "th,td{padding:.22rem .7rem;border-bottom:1px solid #e3e3e3;text-align:left}"
+    "th{border-bottom:2px solid #999;font-weight:600}.n{text-align:right}"
+    "tbody tr:hover{background:#f7f7f7}code{background:#f3f3f3;padding:.1rem .3rem}";
+
+std::string section(const std::string& title, const std::string& body) {
+    return "<section>\n<h2>" + escaped(title) + "</h2>\n" + body + "</section>\n";
+}
+
+std::string figure_of(const std::string& svg, const std::string& prefix, const std::string& caption) {
+    if (svg.empty()) return "";
+    return "<figure>" + inlined_svg(svg, prefix, caption) + "<figcaption>" + escaped(caption) +
+           "</figcaption></figure>\n";
+}
+
+std::string error_text(const Rung& rung) {
+    return (rung.errors.below_bar ? "< " : "") + length_text(rung.errors.final_rms);
+}
+
+std::string rung_name(const Rung& rung) {
+    return cat(rung.method->name, " with steps of ", time_text(rung.step));
+}
+
+std::string statistics(const Study& study) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Rung& rung : study.rungs) {
+        if (!rung.good()) continue;
+        const auto [least, most] = std::minmax_element(rung.cpu.begin(), rung.cpu.end());
+        rows.push_back({std::string(rung.method->name), time_text(rung.step), error_text(rung),
+                        length_text(rung.errors.final_max), length_text(rung.errors.time_l2),
+                        figure(rung.pass.energy_drift),
+                        rung.picture ? figure(rung.picture->mean_levels) : "-",
+                        rung.picture ? figure(100 * rung.picture->share_over) : "-", figure(median(rung.cpu)),
+                        cat(figure(*least), " to ", figure(*most)), figure(median(rung.wall)),
+                        std::to_string(rung.cpu.size()), std::to_string(rung.pass.steps),
+                        std::to_string(rung.pass.sweeps), std::to_string(rung.pass.solver.factorisations),
+                        std::to_string(rung.pass.solver.iterations)});
+    }
+    return table(
+        {"method", "step", "RMS error", "largest", "over time", "energy drift, J", "levels", "pixels, %",
+         "CPU s", "least to most", "wall s", "runs", "steps", "sweeps", "factorisations", "iterations"},
+        rows, 1);
+}
+
+std::string orders(const Study& study) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Method* method : study.methods()) {
+        const SeenOrder order = seen_order(study, *method);
+        rows.push_back({std::string(method->name), std::to_string(order.expected),
+                        order.seen ? figure(*order.seen) : "-", std::to_string(order.rungs)});
+    }
+    return table({"method", "expected", "observed", "from rungs"}, rows, 1) +
+           paragraph(
+               "Observed: the slope of error over step of each method's shortest steps whose error is at "
+               "least three times the reference's bar. Contact that comes and goes, and folds that "
+               "buckle, lower it.");
+}
+
+std::string failures(const Study& study) {
+    std::vector<std::vector<std::string>> failed, left_out;
+    for (const RefusedMethod& refused : study.refused)
+        failed.push_back({std::string(refused.method->name), "any step", refused.why});
+    for (const Rung& rung : study.rungs) {
+        if (!rung.failed.empty())
+            failed.push_back({std::string(rung.method->name), time_text(rung.step), rung.failed});
+        if (!rung.left_out.empty())
+            left_out.push_back({std::string(rung.method->name), time_text(rung.step), rung.left_out});
+    }
+    const std::string failures =
+        failed.empty() ? paragraph("Nothing failed.") : table({"method", "step", "what happened"}, failed, 3);
+    if (left_out.empty()) return failures + paragraph("Nothing was left out.");
+    return failures + paragraph("Left out to keep to the budget:") +
+           table({"method", "step", "why"}, left_out, 3);
+}
+
+std::string reference_text(const Study& study) {
+    return paragraph(cat("The reference: ", study.reference.how, ". Checked by: ", study.reference.checked_by,
+                         ". At the last frame they differ by ", length_text(study.bar()),
+                         " RMS or round-off does: that is the error bar, and no error is stated below it. A "
+                         "coarser pass of the reference's own method puts its error at ",
+                         length_text(study.reference.richardson), ".")) +
+           paragraph(
+               cat("Predictability floor: a run whose start was moved by 1e-12 m ends ",
+                   length_text(study.floor()),
+                   " away. Errors below it say which rounding a run had, and nothing about its method."));
+}
+
+std::string refinement_text(const Study& study) {
+    const MeshRefinement& refinement = *study.refinement;
+    if (!refinement.refused.empty()) return paragraph("Not done: " + refinement.refused + ".");
+    std::vector<std::vector<std::string>> rows;
+    for (const RefinedMesh& mesh : refinement.meshes) {
+        const bool finest = mesh.last.rms == 0;
+        rows.push_back({cat("x ", mesh.factor), std::to_string(mesh.vertices), figure(mesh.cpu_seconds),
+                        !mesh.left_out.empty() ? mesh.left_out
+                        : finest               ? "what the others are compared with"
+                                               : length_text(mesh.last.rms),
+                        finest ? "-" : length_text(mesh.worst_rms)});
+    }
+    std::string text =
+        table({"divisions", "vertices", "CPU s", "from the finest, last frame", "worst frame"}, rows, 1);
+    if (!refinement.error)
+        return text + paragraph("Too few meshes could be run to estimate the mesh's error.");
+    text += paragraph(cat("The scene's own mesh is about ", length_text(*refinement.error),
+                          " RMS from cloth without a mesh, at order ", figure(refinement.order, 2),
+                          refinement.order_seen ? " as these meshes show." : ", which is assumed."));
+    if (const Rung* rung = cheapest_under(study, *refinement.error))
+        text += paragraph(cat("Time steps need not be better than that: ", rung_name(*rung), " reaches ",
+                              error_text(*rung), " in ", figure(median(rung->cpu)), " CPU s."));
+    else
+        text += paragraph("No method reached that with its time steps: here they dominate.");
+    return text;
+}
+
+std::string how_to_read() {
+    return "<ul>\n<li>Error: distance from the reference, root mean square over all vertices at the last "
+           "frame; "
+           "<em>largest</em> is the worst vertex, <em>over time</em> the root mean square over all "
+           "frames.</li>\n"
+           "<li><em>Levels</em> and <em>pixels</em>: the last frame drawn at 640 x 360 against the "
+           "reference's "
+           "picture: mean absolute difference of 8-bit levels, and pixels that differ by more than 8.</li>\n"
+           "<li>CPU seconds are of the thread that advances the pass, the median of all runs of a rung, "
+           "which "
+           "take turns with all other rungs.</li>\n"
+           "<li>A sweep is one evaluation of all forces. Energy drift is what no damping, friction, wind or "
+           "motion accounts for.</li>\n<li>Lower and further left is better. Dashed lines are methods that "
+           "are "
+           "stable with any step.</li>\n</ul>\n";
+}
+
+std::string made_by(const Study& study, const Provenance& p) {
+    return "<p><code>" + escaped(p.command) + "</code></p>\n" +
+           paragraph(cat("drape ", p.drape_version, "; SUNDIALS ", p.sundials_version, "; gnuplot ",
+                         p.gnuplot_version.empty() ? "none" : p.gnuplot_version, "; ", p.processor, ", ",
+                         p.cores, " cores. The study took ", figure(study.cpu_seconds), " CPU s."));
+}
+
+}  // namespace
+
+std::string cheapest_sentence(const Study& study, double metres) {
+    const std::string at = cat("At ", length_text(metres));
+    if (study.bar() > metres) return at + " nothing can be said: the reference's error bar is wider.";
+    const Rung* rung = cheapest_under(study, metres);
+    if (!rung) return at + ": no method got there.";
+    return cat(at, " the cheapest is ", rung_name(*rung), ": ", figure(median(rung->cpu)), " CPU s, error ",
+               error_text(*rung), ".");
+}
+
+std::string study_page(const Study& study, const StudyPlots& plots, const Provenance& provenance) {
+    std::string answer = "<ul class=\"answer\">\n";
+    for (const double metres : {1e-2, 1e-3, 1e-4})
+        answer += "<li>" + escaped(cheapest_sentence(study, metres)) + "</li>\n";
+    answer += "</ul>\n";
+    const std::string figures =
+        plots.trouble.empty()
+            ? figure_of(
+                  plots.error_time, "a_",
+                  "Every dot is a run with the step beside it. Grey: below the reference's error bar, where "
+                  "nothing is claimed.") +
+                  figure_of(plots.error_over_time, "b_",
+                            "Each method's cheapest run that ends below 1 mm, or its most accurate one.")
+            : paragraph("No plots: " + plots.trouble + ".");
+    std::string page =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\">\n<title>" +
+        escaped("Error against run time: " + study.scene) + "</title>\n<style>" + style +
+        "</style>\n</head>\n<body>\n<h1>Error against run time</h1>\n<p class=\"lead\">" +
+        escaped(cat(study.scene, "; ", study.probe.window)) + "</p>\n" + answer + figures;
+    page += section("Order of convergence", orders(study));
+    page += section("All runs", statistics(study));
+    page += section("What failed and why", failures(study));
+    page += section("What errors are measured against", reference_text(study));
+    if (study.refinement) page += section("The mesh's own error", refinement_text(study));
+    page += section("How to read this", how_to_read());
+    page += section("How it was made", made_by(study, provenance));
+    return page + "</body>\n</html>\n";
+}
+
+}  // namespace drape
