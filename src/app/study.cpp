@@ -13,6 +13,7 @@
 #include "scene/builder.h"
 #include "scene/reader.h"
 #include "study/gnuplot.h"
+#include "study/numbers.h"
 #include "study/study_csv.h"
 #include "study/study_page.h"
 #include "study/study_plot.h"
@@ -90,8 +91,9 @@ void print_findings(const Study& study, const std::string& out) {
     std::printf("%s: %s\n", study.scene.c_str(), study.probe.window.c_str());
     for (const double metres : {1e-2, 1e-3, 1e-4})
         std::printf("  %s\n", cheapest_sentence(study, metres).c_str());
-    std::printf("  error bar %.3g m, predictability floor %.3g m; %.1f CPU s\n  %s/index.html\n", study.bar(),
-                study.floor(), study.cpu_seconds, out.c_str());
+    std::printf("  error bar %s, predictability floor %s; %.1f CPU s\n  %s/index.html\n",
+                length_text(study.bar()).c_str(), length_text(study.floor()).c_str(), study.cpu_seconds,
+                out.c_str());
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ std::string first_line(const fs::path& path) {
 
 // Exit code of gnuplot run in `folder`, or -1 with the reason in `trouble`.
 int spawn(const fs::path& folder, std::string& trouble) {
-    std::string print = cat("set print '", version_file, "'; print GPVAL_VERSION, ' patchlevel ', ",
+    std::string print = cat("set print '", version_file, "'; print GPVAL_VERSION, 'patchlevel', ",
                             "GPVAL_PATCHLEVEL; set print");
     std::array<std::string, 4> words{"gnuplot", "-e", print, "../plots.gp"};
     std::array<char*, 5> arguments{words[0].data(), words[1].data(), words[2].data(), words[3].data(),

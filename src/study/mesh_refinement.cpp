@@ -8,13 +8,14 @@
 #include "scene/builder.h"
 #include "simulate/predicted_cost.h"
 #include "study/measure.h"
+#include "study/numbers.h"
 
 namespace drape {
 
 namespace {
 
 constexpr std::array factors{0.5, 1.0, 2.0};
-constexpr double least_order = 0.5, most_order = 4;
+constexpr double least_order = 0.8, most_order = 4;  // of meshes that converge
 
 std::string why_not(const SceneDescription& scene) {
     for (size_t c = 0; c < scene.cloths.size(); ++c) {
@@ -65,11 +66,12 @@ void estimate(MeshRefinement& refinement, const std::vector<RefinedMesh*>& run) 
     if (own == run.end() || *own == run.back()) return;
     if (own != run.begin()) {
         const double ratio = (*std::prev(own))->last.rms / (*own)->last.rms;
-        refinement.order = std::clamp(std::log2(std::max(ratio - 1, 1.0)), least_order, most_order);
+        refinement.order = std::min(std::log2(std::max(ratio - 1, 1.0)), most_order);
         refinement.order_seen = true;
+        refinement.converges = refinement.order >= least_order;
     }
     const double gain = std::pow(2, refinement.order);
-    refinement.error = (*own)->last.rms * gain / (gain - 1);
+    refinement.error = (*own)->last.rms * (refinement.converges ? gain / (gain - 1) : 1);
 }
 
 }  // namespace
@@ -79,6 +81,11 @@ MeshRefinement refine_mesh(const SceneDescription& scene, int frames, double mos
     MeshRefinement refinement;
     refinement.refused = why_not(scene);
     if (!refinement.refused.empty()) return refinement;
+    for (const ClothDescription& cloth : scene.cloths)
+        if (cloth.fabric.stretch_model != StretchModel::membrane)
+            refinement.note =
+                "The fabric is given per spring, so that each mesh is another cloth: give it as a "
+                "membrane to judge the mesh alone.";
     std::vector<std::vector<Points>> positions;
     double coarsest = 0, spent = 0, calibration = 1;
     for (const double factor : factors) {
@@ -93,7 +100,7 @@ MeshRefinement refine_mesh(const SceneDescription& scene, int frames, double mos
             mesh.vertices = setup.model.vertices();
             const double predicted = predicted_cost(Simulation(setup)).seconds;
             if (calibration * predicted > most_cpu - spent) {
-                mesh.left_out = cat("would cost ", calibration * predicted, " CPU s");
+                mesh.left_out = cat("would cost about ", figure(calibration * predicted), " CPU s");
             } else {
                 if (coarsest == 0) coarsest = factor;
                 const int stride = static_cast<int>(std::lround(factor / coarsest));
@@ -111,7 +118,7 @@ MeshRefinement refine_mesh(const SceneDescription& scene, int frames, double mos
             mesh.left_out = "its divisions are odd";
         }
         say(cat("mesh x ", factor, ": ",
-                mesh.left_out.empty() ? cat(mesh.cpu_seconds, " CPU s") : mesh.left_out));
+                mesh.left_out.empty() ? cat(figure(mesh.cpu_seconds), " CPU s") : mesh.left_out));
         refinement.meshes.push_back(mesh);
     }
     std::vector<RefinedMesh*> run;

@@ -26,8 +26,11 @@ struct MeshRefinement {
     std::vector<RefinedMesh>
         meshes;  // the coarsest first; the last that was run is what the others are judged by
     std::optional<double> error;  // of the scene's own mesh at the last frame, RMS, estimated [m]
-    double order = 2;             // in the edge length that the estimate rests on
+    double order = 2;             // in the edge length, which the estimate rests on
     bool order_seen = false;      // by three meshes; else assumed
+    bool converges =
+        true;          // false: finer meshes come no nearer to each other, and the error is at least that
+    std::string note;  // what stands against comparing these meshes; "" = nothing
 };
 
 MeshRefinement refine_mesh(const SceneDescription& scene, int frames, double most_cpu,

@@ -7,6 +7,7 @@
 #include "simulate/error_estimate.h"
 #include "simulate/predicted_cost.h"
 #include "simulate/twin.h"
+#include "study/numbers.h"
 
 namespace drape {
 
@@ -15,6 +16,9 @@ namespace {
 // A study costs about this many passes at the longest stable step: references some 15, the rungs of all
 // methods the rest.
 constexpr double passes = 40;
+
+// Where the twin is farther away than this no method can be told from another [m].
+constexpr double predictable = 1e-4;
 
 int wanted_frames(const Setup& setup, std::optional<double> until) {
     if (!until) return setup.frames;
@@ -25,10 +29,10 @@ int wanted_frames(const Setup& setup, std::optional<double> until) {
     return static_cast<int>(frames);
 }
 
-std::string window_text(const Setup& setup, int frames, bool asked) {
-    const std::string first = cat("the first ", frames / setup.frame_rate, " s (", frames, " frames)");
-    if (frames == setup.frames) return cat("the whole scene, ", frames / setup.frame_rate, " s");
-    return asked ? cat(first, ", as asked") : cat(first, ", as much as the budget allows");
+std::string window_text(const Setup& setup, int frames, const std::string& ended_by) {
+    const double seconds = frames / setup.frame_rate;
+    if (frames == setup.frames) return cat("the whole scene, ", figure(seconds), " s");
+    return cat("the first ", figure(seconds), " s (", frames, " frames), ", ended_by);
 }
 
 }  // namespace
@@ -46,19 +50,30 @@ Probe probe_scene(const Setup& given, std::optional<double> until, double budget
     probe.contact = simulation.dynamics().contact() != nullptr;
     probe.friction = simulation.rubs();
     probe.size = (setup.start.x.rowwise().maxCoeff() - setup.start.x.rowwise().minCoeff()).norm();
-    std::string trouble;
+    std::string trouble, ended_by = "as asked";
     while (simulation.frame() < setup.frames) {
         const FrameReport frame = simulation.advance();
         trouble = frame.trouble;
-        if (!trouble.empty() || !twin.advance().trouble.empty()) break;
+        if (!trouble.empty() || !twin.advance().trouble.empty()) {
+            ended_by = "beyond which a Verlet pass goes wrong";
+            break;
+        }
+        const double floor = distance_between(simulation.state().x, twin.state().x).rms;
+        if (!until && floor > predictable && !probe.floor.empty()) {
+            ended_by = cat("beyond which a start moved by 1e-12 m ends more than ", length_text(predictable),
+                           " away (--until takes more)");
+            break;
+        }
         probe.cpu_seconds += frame.cpu_seconds;
-        probe.floor.push_back(distance_between(simulation.state().x, twin.state().x).rms);
-        if (!until && probe.cpu_seconds > budget / passes) break;
+        probe.floor.push_back(floor);
+        if (!until && probe.cpu_seconds > budget / passes) {
+            ended_by = "as much as the budget allows";
+            break;
+        }
     }
     probe.frames = static_cast<int>(probe.floor.size());
     if (probe.frames == 0) throw Error(trouble, Exit::went_wrong);
-    probe.window = window_text(given, probe.frames, until.has_value());
-    if (!trouble.empty()) probe.window += "; beyond, a Verlet pass goes wrong";
+    probe.window = window_text(given, probe.frames, ended_by);
     const double predicted = predicted_cost(simulation).seconds * probe.frames / setup.frames;
     probe.calibration = probe.cpu_seconds / predicted;
     return probe;

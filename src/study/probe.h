@@ -20,7 +20,8 @@ struct Probe {
     double size = 0;  // of the cloth at its start: its box's diagonal [m]
 };
 
-// `until` [s] fixes the window; otherwise it is as long as `budget` [CPU s] allows. Throws Error
+// `until` [s] fixes the window; otherwise it is as long as `budget` [CPU s] and predictability allow. Throws
+// Error
 // (Exit::went_wrong) where not even the first frame can be simulated.
 Probe probe_scene(const Setup& setup, std::optional<double> until, double budget);
 

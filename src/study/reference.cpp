@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "study/measure.h"
+#include "study/numbers.h"
 #include "study/sundials_reference.h"
 
 namespace drape {
@@ -72,8 +73,8 @@ Trajectory run(const Setup& setup, const Choice& choice) {
 }
 
 std::string said(const Setup& setup, const Choice& choice) {
-    return cat(choice.method, " with ", choice.steps, " steps a frame (",
-               1e6 / setup.frame_rate / choice.steps, " us)");
+    return cat(choice.method, " with steps of ", time_text(1 / setup.frame_rate / choice.steps), ", ",
+               choice.steps, " a frame");
 }
 
 struct Second {
@@ -116,6 +117,7 @@ Reference make_reference(const Setup& setup, const Probe& probe, double most_cpu
 
     Reference reference;
     reference.how = said(setup, choice);
+    reference.checked = !second.x.empty();
     reference.checked_by = second.how;
     const double share = error_share(choice.steps, half.steps, order_of(probe, choice.method));
     const double edge = mean_edge(setup.model);
@@ -126,8 +128,10 @@ Reference make_reference(const Setup& setup, const Probe& probe, double most_cpu
             const ErrorNorms apart = distance_between(fine.x[k], coarse.x[k]);
             const double stated = stated_share(apart.rms, share, edge);
             reference.richardson = std::max(least, stated * apart.rms);
+            // alone, the rule is not to be trusted with a smaller share: round-off follows none
+            const double alone = std::max(1.0, stated);
             if (second.x.empty())
-                bar = {std::max(least, stated * apart.rms), std::max(least, stated * apart.max)};
+                bar = {std::max(least, alone * apart.rms), std::max(least, alone * apart.max)};
         }
         if (k < second.x.size()) {
             const ErrorNorms apart = distance_between(fine.x[k], second.x[k]);

@@ -13,7 +13,8 @@ namespace drape {
 
 struct Reference {
     std::string how;              // the first run
-    std::string checked_by;       // the second, or why there is none
+    bool checked = false;         // there is a second
+    std::string checked_by;       // that one, or why there is none
     std::vector<Points> x;        // of the first, per frame
     State end;                    // of the first
     std::vector<ErrorNorms> bar;  // per frame, never 0 [m]

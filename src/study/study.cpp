@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/timer.h"
+#include "study/numbers.h"
 
 namespace drape {
 
@@ -31,9 +32,10 @@ public:
             const double left = cap - (process_cpu_seconds() - began);
             const double allowed = std::min(left, dearest_rung * budget);
             if (rung->predicted_cpu > allowed)
-                rung->left_out = cat("would cost ", rung->predicted_cpu, " CPU s");
+                rung->left_out = cat("would cost about ", figure(rung->predicted_cpu), " CPU s");
             else
                 measure(*rung, allowed);
+            options_.say(summary(*rung));
             ladder.done(*rung);
             study_.rungs.push_back(std::move(*rung));
         }
@@ -71,24 +73,24 @@ private:
         rung.wall = {rung.pass.wall_seconds};
         if (rung.pass.cut_short) {
             rung.left_out =
-                cat("stopped after ", rung.pass.cpu_seconds, " CPU s at frame ", rung.pass.frames);
+                cat("stopped after ", figure(rung.pass.cpu_seconds), " CPU s at frame ", rung.pass.frames);
         } else if (!rung.pass.trouble.empty()) {
             rung.failed = rung.pass.trouble;
         } else if (const double apart = rung.distance.back().rms; !(apart < study_.probe.size)) {
-            rung.failed = cat("ended ", apart, " m from the reference, farther than the cloth is large");
+            rung.failed =
+                cat("ended ", length_text(apart), " from the reference, farther than the cloth is large");
         } else {
             rung.errors = reported_errors(rung.distance, reference.bar);
             if (draw_) rung.picture = picture_error(draw_(rung.pass.end), picture_);
         }
-        options_.say(summary(rung));
     }
 
     static std::string summary(const Rung& rung) {
         const std::string what = cat(rung.method->name, ", ", rung.steps_a_frame, " steps a frame: ");
         if (!rung.failed.empty()) return what + rung.failed;
         if (!rung.left_out.empty()) return what + rung.left_out;
-        return cat(what, rung.cpu.front(), " CPU s, error ", rung.errors.below_bar ? "< " : "",
-                   rung.errors.final_rms, " m");
+        return cat(what, figure(rung.cpu.front()), " CPU s, error ", rung.errors.below_bar ? "< " : "",
+                   length_text(rung.errors.final_rms));
     }
 
     Study& study_;
@@ -125,8 +127,8 @@ Study run_study(Setup setup, const StudyOptions& options, const DrawState& draw)
     study.reference = make_reference(setup, study.probe, reference_share * left());
     options.say(cat("reference: ", study.reference.how));
     options.say(cat("checked by: ", study.reference.checked_by));
-    options.say(cat("error bar ", study.bar(), " m RMS, predictability floor ", study.floor(),
-                    " m, at the last frame"));
+    options.say(cat("error bar ", length_text(study.bar()), " RMS, predictability floor ",
+                    length_text(study.floor()), ", at the last frame"));
     Climb climb(study, setup, options, draw);
     const double budget = left();
     climb.first_round(budget);

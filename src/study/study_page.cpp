@@ -104,7 +104,8 @@ std::string reference_text(const Study& study) {
            paragraph(
                cat("Predictability floor: a run whose start was moved by 1e-12 m ends ",
                    length_text(study.floor()),
-                   " away. Errors below it say which rounding a run had, and nothing about its method."));
+                   " away. Errors below it hold for this exact start alone, and no real start is known that "
+                   "exactly."));
 }
 
 std::string refinement_text(const Study& study) {
@@ -123,9 +124,14 @@ std::string refinement_text(const Study& study) {
         table({"divisions", "vertices", "CPU s", "from the finest, last frame", "worst frame"}, rows, 1);
     if (!refinement.error)
         return text + paragraph("Too few meshes could be run to estimate the mesh's error.");
-    text += paragraph(cat("The scene's own mesh is about ", length_text(*refinement.error),
-                          " RMS from cloth without a mesh, at order ", figure(refinement.order, 2),
-                          refinement.order_seen ? " as these meshes show." : ", which is assumed."));
+    if (!refinement.note.empty()) text += paragraph(refinement.note);
+    if (refinement.converges)
+        text += paragraph(cat("The scene's own mesh is about ", length_text(*refinement.error),
+                              " RMS from cloth without a mesh, at order ", figure(refinement.order, 2),
+                              refinement.order_seen ? " as these meshes show." : ", which is assumed."));
+    else
+        text += paragraph(cat("These meshes do not converge yet: the scene's own is at least ",
+                              length_text(*refinement.error), " RMS from cloth without a mesh."));
     if (const Rung* rung = cheapest_under(study, *refinement.error))
         text += paragraph(cat("Time steps need not be better than that: ", rung_name(*rung), " reaches ",
                               error_text(*rung), " in ", figure(median(rung->cpu)), " CPU s."));

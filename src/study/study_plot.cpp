@@ -13,8 +13,9 @@ namespace drape {
 
 namespace {
 
-constexpr double width = 1100, height = 700;                            // [pixels]
-constexpr double left = 0.085, right = 0.8, bottom = 0.105, top = 0.9;  // of the area in axes, on the canvas
+constexpr double width = 1100, height = 700;  // [pixels]
+// of the area in axes, on the canvas; the legend stands to its right
+constexpr double left = 0.085, right = 0.765, bottom = 0.105, top = 0.9;
 constexpr double shown_error = 1e-3;  // over time: each method's cheapest rung below that [m]
 
 struct Range {
@@ -49,6 +50,17 @@ std::string heading(const Study& study, const std::string& title) {
                " left top Left reverse noenhanced samplen 2.2 spacing 1.25 font ',12'\n");
 }
 
+// Ticks of a logarithmic axis at 1, 2 and 5 where powers of ten alone would be too few.
+std::string ticks(const Range& range) {
+    if (range.high / range.low > 1e4) return "set format x '10^{%L}'\n";
+    std::string list;
+    for (int power = -9; power < 9; ++power)
+        for (const double digit : {1, 2, 5})
+            if (const double at = digit * std::pow(10, power); at >= range.low && at <= range.high)
+                list += cat(list.empty() ? "" : ",", figure(at));
+    return "set format x '%g'\nset xtics (" + list + ")\n";
+}
+
 // The same picture twice: to look at anywhere, and to put into a page.
 std::string output(const std::string& name, const std::string& plot) {
     const std::string size =
@@ -63,7 +75,7 @@ std::string label(const Pixel& centre, const std::string& text, const std::strin
 }
 
 Pixel half_size(const std::string& text, int size) {
-    return {0.29 * size * static_cast<double>(text.size()) + 1, 0.62 * size};
+    return {0.31 * size * static_cast<double>(text.size()) + 2, 0.62 * size};
 }
 
 // A line across at `error` with its name above it at the right end, or below.
@@ -131,7 +143,8 @@ std::string error_against_cpu(const Study& study) {
             const auto [least, most] = std::minmax_element(rung->cpu.begin(), rung->cpu.end());
             data += cat(median(rung->cpu), " ", rung->errors.final_rms, " ", *least, " ", *most, "\n");
             const Pixel dot = chart.at(median(rung->cpu), rung->errors.final_rms);
-            labels.keep_free(LabelBox{dot, {5, 5}});
+            const double from = chart.at(*least, chart.y.low).x(), to = chart.at(*most, chart.y.low).x();
+            labels.keep_free(LabelBox{{(from + to) / 2, dot.y()}, {(to - from) / 2 + 5, 5}});
             if (before) labels.keep_free(*before, dot);
             before = dot;
         }
@@ -151,10 +164,9 @@ std::string error_against_cpu(const Study& study) {
     if (study.floor() > 0)
         levels += level(chart, labels, study.floor(), "predictability floor: " + length_text(study.floor()),
                         3, study.floor() >= study.bar());
-    return heading(study, "Error against run time") +
-           cat("set logscale x\nset format x '10^{%L}'\nset xrange [", chart.x.low, ":", chart.x.high,
-               "]\nset yrange [", chart.y.low, ":", chart.y.high,
-               "]\nset xlabel 'CPU time of the pass [s]'\n",
+    return heading(study, "Error against run time") + "set logscale x\n" + ticks(chart.x) +
+           cat("set xrange [", chart.x.low, ":", chart.x.high, "]\nset yrange [", chart.y.low, ":",
+               chart.y.high, "]\nset xlabel 'CPU time of the pass [s]'\n",
                "set ylabel 'RMS error of the positions at the last frame [m]'\n") +
            levels + step_labels(study, chart, labels) + data + output("error_time", plot + "\n");
 }
@@ -197,7 +209,7 @@ std::string error_over_time(const Study& study) {
            data +
            output("error_over_time",
                   cat("plot $bar using 1:(", y.low, "):2 with filledcurves fc rgb '#f1f1f1' notitle, \\\n",
-                      "     $bar with lines lc rgb '#777777' lw 1.3 title 'error bar of the reference', \\\n",
+                      "     $bar with lines lc rgb '#777777' lw 1.3 title 'reference\'\'s error bar', \\\n",
                       "     $floor with lines lc rgb '#777777' lw 1.3 dt 3 title 'predictability floor'",
                       plot, "\n"));
 }

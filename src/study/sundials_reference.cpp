@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/timer.h"
+#include "study/numbers.h"
 
 namespace drape {
 
@@ -134,10 +135,12 @@ SundialsRun attempt(const Setup& setup, const Tolerances& wanted, double most_cp
         run.x.push_back(equation.state_at(time, solver.y()).x);
         const double projected = (thread_cpu_seconds() - began) * equation.frames() / frame;
         if (projected > most_cpu)
-            return {{}, cat(name(), " would cost about ", projected, " CPU s, and has ", most_cpu)};
+            return {
+                {},
+                cat(name(), " would cost about ", figure(projected), " CPU s, and has ", figure(most_cpu))};
     }
     run.how = cat(name(), ", rtol ", wanted.relative, ", atol ", wanted.absolute, ", ", solver.evaluations(),
-                  " evaluations in ", thread_cpu_seconds() - began, " CPU s");
+                  " evaluations in ", figure(thread_cpu_seconds() - began), " CPU s");
     return run;
 }
 

@@ -11,7 +11,7 @@ using namespace drape::test;
 namespace {
 
 Reference reference_of(Setup setup, double most_cpu) {
-    const Probe probe = probe_scene(setup, {}, 1000);
+    const Probe probe = probe_scene(setup, setup.frames / setup.frame_rate, 1000);
     REQUIRE(probe.frames == setup.frames);
     return make_reference(setup, probe, most_cpu);
 }
