@@ -4,6 +4,17 @@
 
 namespace drape {
 
+namespace {
+
+constexpr std::size_t long_text = 60;  // from here on it is broken into lines
+
+std::string cell(const std::string& text, bool words) {
+    const char* start = !words ? "<td class=\"n\">" : text.size() > long_text ? "<td class=\"w\">" : "<td>";
+    return start + escaped(text) + "</td>";
+}
+
+}  // namespace
+
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -42,8 +53,7 @@ std::string table(const std::vector<std::string>& head, const std::vector<std::v
     out += "</tr></thead>\n<tbody>\n";
     for (const std::vector<std::string>& row : rows) {
         out += "<tr>";
-        for (size_t i = 0; i < row.size(); ++i)
-            out += (i < words ? "<td>" : "<td class=\"n\">") + escaped(row[i]) + "</td>";
+        for (size_t i = 0; i < row.size(); ++i) out += cell(row[i], i < words);
         out += "</tr>\n";
     }
     return out + "</tbody></table></div>\n";

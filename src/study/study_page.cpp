@@ -22,7 +22,8 @@ constexpr const char* style =
     "svg{max-width:100%;height:auto}.wide{overflow-x:auto}"
     "table{border-collapse:collapse;font-size:.86rem;font-variant-numeric:tabular-nums;white-space:nowrap}"
     "th,td{padding:.22rem .7rem;border-bottom:1px solid #e3e3e3;text-align:left}"
-    "th{border-bottom:2px solid #999;font-weight:600}.n{text-align:right}"
+    "th{border-bottom:2px solid "
+    "#999;font-weight:600}.n{text-align:right}.w{white-space:normal;min-width:24rem}"
     "tbody tr:hover{background:#f7f7f7}code{background:#f3f3f3;padding:.1rem .3rem}";
 
 std::string section(const std::string& title, const std::string& body) {

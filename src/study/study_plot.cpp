@@ -23,9 +23,9 @@ struct Range {
 };
 
 // The values' range with room at both ends, by factors.
-Range roomy(const std::vector<double>& values, double below, double above) {
+Range roomy(const std::vector<double>& values, double below, double above, double least_span = 1) {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    return {*low / below, *high * above};
+    return {std::min(*low / below, *high * above / least_span), *high * above};
 }
 
 double share_of(const Range& range, double value) {
@@ -79,8 +79,8 @@ Pixel half_size(const std::string& text, int size) {
 }
 
 // A line across at `error` with its name above it at the right end, or below.
-std::string level(const Chart& chart, PlotLabels& labels, double error, const std::string& text, int dash,
-                  bool above) {
+std::string level(const Chart& chart, PlotLabels& labels, double error, const std::string& text,
+                  const std::string& dash, bool above) {
     const Pixel half = half_size(text, 11);
     const Pixel end = chart.at(chart.x.high, error);
     const Pixel centre = end + Pixel(-half.x() - 4, above ? 9 : -9);
@@ -99,7 +99,7 @@ Chart chart_of(const Study& study) {
         error.push_back(rung.errors.final_rms);
     }
     if (cpu.empty()) cpu = {1};
-    return {roomy(cpu, 1.5, 2), roomy(error, 4, 3)};
+    return {roomy(cpu, 1.5, 2), roomy(error, 4, 3, 300)};
 }
 
 // Each rung's step beside its dot where there is room, the ends of a line first.
@@ -159,11 +159,11 @@ std::string error_against_cpu(const Study& study) {
     if (block == 0) plot += "NaN notitle";
     std::string levels = cat("set object rectangle from graph 0,graph 0 to graph 1,first ", study.bar(),
                              " fc rgb '#f1f1f1' fs solid noborder behind\n");
-    levels += level(chart, labels, study.bar(), "error bar of the reference: " + length_text(study.bar()), 1,
-                    false);
+    levels += level(chart, labels, study.bar(), "error bar of the reference: " + length_text(study.bar()),
+                    "solid", false);
     if (study.floor() > 0)
         levels += level(chart, labels, study.floor(), "predictability floor: " + length_text(study.floor()),
-                        3, study.floor() >= study.bar());
+                        "(7,6)", study.floor() >= study.bar());
     return heading(study, "Error against run time") + "set logscale x\n" + ticks(chart.x) +
            cat("set xrange [", chart.x.low, ":", chart.x.high, "]\nset yrange [", chart.y.low, ":",
                chart.y.high, "]\nset xlabel 'CPU time of the pass [s]'\n",
@@ -201,7 +201,7 @@ std::string error_over_time(const Study& study) {
         plot += cat(", \\\n     $run", block++, " with lines lc rgb '", style.colour, "' dt ", style.dash,
                     " lw 2 title ", plot_quoted(cat(method->name, ", ", time_text(rung.step))));
     }
-    const Range y = roomy(errors, 4, 3);
+    const Range y = roomy(errors, 4, 3, 300);
     const double end = time(bar.size() - 1);
     return heading(study, "Error over simulated time") +
            cat("set xrange [0:", end, "]\nset yrange [", y.low, ":", y.high,
@@ -210,7 +210,7 @@ std::string error_over_time(const Study& study) {
            output("error_over_time",
                   cat("plot $bar using 1:(", y.low, "):2 with filledcurves fc rgb '#f1f1f1' notitle, \\\n",
                       "     $bar with lines lc rgb '#777777' lw 1.3 title 'reference\'\'s error bar', \\\n",
-                      "     $floor with lines lc rgb '#777777' lw 1.3 dt 3 title 'predictability floor'",
+                      "     $floor with lines lc rgb '#777777' lw 1.3 dt (7,6) title 'predictability floor'",
                       plot, "\n"));
 }
 
