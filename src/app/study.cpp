@@ -67,6 +67,7 @@ DrawState drawer([[maybe_unused]] SceneDescription scene, [[maybe_unused]] const
             : simulation(from), pictures(drawn, simulation) {}
     };
     scene.look.size = {640, 360};
+    scene.look.overlay = "none";
     Setup any = setup;
     any.method = "verlet";
     any.step.reset();

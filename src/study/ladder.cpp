@@ -13,11 +13,18 @@ constexpr double widest = 0.98;   // of the longest stable step
 constexpr int most_halvings = 5;  // of explicit steps: more cost much and teach nothing new
 constexpr int most_implicit_halvings = 12;
 constexpr int most_failures = 4;  // in a row
+// Halved steps cost implicit methods less than twice as much: each is easier to solve for.
+constexpr double implicit_growth = 0.6;
 
 }  // namespace
 
 int Ladder::Row::steps() const {
     return static_cast<int>(std::ceil(first * std::pow(ratio, rung) * (1 - 1e-9)));
+}
+
+double Ladder::Row::predicted_cpu() const {
+    if (told == 0 || !method->is_implicit()) return seconds_per_step * steps();
+    return seconds_per_step * told * std::pow(double(steps()) / told, implicit_growth);
 }
 
 Ladder::Ladder(const Setup& setup, const Probe& probe, const std::vector<const Method*>& methods, bool fine)
@@ -44,7 +51,7 @@ std::optional<Rung> Ladder::next() const {
     std::optional<Rung> cheapest;
     for (const Row& row : rows_) {
         if (row.rung >= row.most) continue;
-        const double cpu = row.seconds_per_step * row.steps();
+        const double cpu = row.predicted_cpu();
         if (cheapest && cheapest->predicted_cpu <= cpu) continue;
         Rung rung;
         rung.method = row.method;
@@ -67,7 +74,10 @@ void Ladder::done(const Rung& rung) {
         return;
     }
     // a whole pass tells its method's cost better than any prediction
-    if (rung.good()) row->seconds_per_step = median(rung.cpu) / rung.steps_a_frame;
+    if (rung.good()) {
+        row->told = rung.steps_a_frame;
+        row->seconds_per_step = median(rung.cpu) / rung.steps_a_frame;
+    }
     const int before = row->steps();
     do ++row->rung;
     while (row->rung < row->most && row->steps() == before);

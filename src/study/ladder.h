@@ -37,7 +37,9 @@ private:
         double first = 1, ratio = 2;  // steps a frame of the first rung; from rung to rung
         int rung = 0, most = 0, failed = 0;
         double seconds_per_step = 0;
+        int told = 0;  // steps a frame of the last whole pass, 0 if none was run
         int steps() const;
+        double predicted_cpu() const;
     };
     std::vector<Row> rows_;
     std::vector<RefusedMethod> refused_;

@@ -26,25 +26,25 @@ bool LabelBox::meets(const Pixel& a, const Pixel& b) const {
     return from < to;
 }
 
-bool PlotLabels::is_free(const LabelBox& box, bool across) const {
+bool PlotLabels::is_free(const LabelBox& box) const {
     if (((box.centre - box.half).array() < low_.array()).any()) return false;
     if (((box.centre + box.half).array() > high_.array()).any()) return false;
     if (std::any_of(boxes_.begin(), boxes_.end(), [&](const LabelBox& b) { return box.meets(b); }))
         return false;
-    return across || std::none_of(segments_.begin(), segments_.end(),
-                                  [&](const Segment& s) { return box.meets(s.a, s.b); });
+    return std::none_of(segments_.begin(), segments_.end(),
+                        [&](const Segment& s) { return box.meets(s.a, s.b); });
 }
 
-std::optional<Pixel> PlotLabels::place(const Pixel& dot, const Pixel& half, bool across) {
+std::optional<Pixel> PlotLabels::place(const Pixel& dot, const Pixel& half) {
     constexpr double gap = 5;
     // right first, then round the dot
     constexpr std::array<std::array<double, 2>, 8> ways{
         {{1, 0.6}, {1, -0.6}, {-1, -0.6}, {-1, 0.6}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}}};
-    for (const double farther : {1.0, 2.2}) {
+    for (const double farther : {1.0, 2.2, 3.4}) {
         for (const auto& way : ways) {
             const Pixel side(way[0], way[1]);
             const LabelBox box{dot + side.cwiseProduct(half + Pixel::Constant(gap * farther)), half};
-            if (!is_free(box, across)) continue;
+            if (!is_free(box)) continue;
             boxes_.push_back(box);
             return box.centre;
         }

@@ -24,14 +24,14 @@ public:
     void keep_free(const LabelBox& box) { boxes_.push_back(box); }
     void keep_free(const Pixel& a, const Pixel& b) { segments_.push_back({a, b}); }
 
-    // Where the label's centre goes, near `dot`; none: there is no room. `across`: lines may be covered.
-    std::optional<Pixel> place(const Pixel& dot, const Pixel& half, bool across);
+    // Where the label's centre goes, near `dot`; none: there is no room.
+    std::optional<Pixel> place(const Pixel& dot, const Pixel& half);
 
 private:
     struct Segment {
         Pixel a, b;
     };
-    bool is_free(const LabelBox& box, bool across) const;
+    bool is_free(const LabelBox& box) const;
 
     Pixel low_, high_;
     std::vector<LabelBox> boxes_;

@@ -15,7 +15,7 @@ constexpr const char* style =
     "body{font:16px/1.55 system-ui,-apple-system,'Segoe UI',sans-serif;color:#222;background:#fff;"
     "max-width:70rem;margin:2.5rem auto;padding:0 1.25rem}"
     "h1{font-size:1.8rem;line-height:1.2;margin:0 0 .3rem}h2{font-size:1.2rem;margin:2.4rem 0 .5rem}"
-    "p,li{max-width:46rem}.lead{color:#555;margin:0 0 1.5rem}"
+    "p,li{max-width:46rem}.answer li{max-width:none}.lead{color:#555;margin:0 0 1.5rem}"
     "ul.answer{list-style:none;padding:.9rem 1.2rem;margin:0;background:#f5f7f9;border-left:4px solid "
     "#0072b2}"
     "figure{margin:1.2rem 0}figcaption{color:#555;font-size:.9rem;max-width:46rem}"

@@ -47,7 +47,7 @@ std::string heading(const Study& study, const std::string& title) {
                "set grid lc rgb '#e4e4e4' lw 1 lt 1\nset logscale y\nset format y '10^{%L}'\n",
                "set lmargin at screen ", left, "\nset rmargin at screen ", right, "\nset bmargin at screen ",
                bottom, "\nset tmargin at screen ", top, "\n", "set key at screen ", right + 0.012, ",", top,
-               " left top Left reverse noenhanced samplen 2.2 spacing 1.25 font ',12'\n");
+               " left top Left reverse noenhanced samplen 3 spacing 1.25 font ',12'\n");
 }
 
 // Ticks of a logarithmic axis at 1, 2 and 5 where powers of ten alone would be too few.
@@ -78,16 +78,19 @@ Pixel half_size(const std::string& text, int size) {
     return {0.31 * size * static_cast<double>(text.size()) + 2, 0.62 * size};
 }
 
-// A line across at `error` with its name above it at the right end, or below.
-std::string level(const Chart& chart, PlotLabels& labels, double error, const std::string& text,
-                  const std::string& dash, bool above) {
+// A name above or below a line across at `error`, at its right end.
+std::string level_label(const Chart& chart, PlotLabels& labels, double error, const std::string& text,
+                        bool above) {
     const Pixel half = half_size(text, 11);
     const Pixel end = chart.at(chart.x.high, error);
     const Pixel centre = end + Pixel(-half.x() - 4, above ? 9 : -9);
     labels.keep_free(LabelBox{centre, half});
     labels.keep_free(chart.at(chart.x.low, error), end);
-    return cat("set arrow from graph 0,first ", error, " to graph 1,first ", error,
-               " nohead lc rgb '#777777' lw 1.3 dt ", dash, " back\n", label(centre, text, "#666666", 11));
+    return label(centre, text, "#666666", 11);
+}
+
+std::string level_line(double error, const std::string& dash) {
+    return cat(error, " with lines lc rgb '#777777' lw 1.3 dt ", dash, " notitle");
 }
 
 Chart chart_of(const Study& study) {
@@ -105,27 +108,31 @@ Chart chart_of(const Study& study) {
 // Each rung's step beside its dot where there is room, the ends of a line first.
 std::string step_labels(const Study& study, const Chart& chart, PlotLabels& labels) {
     std::string text;
-    const auto add = [&](const Rung& rung, bool across) {
+    const auto add = [&](const Rung& rung) {
         const std::string says = time_text(rung.step);
         const Pixel dot = chart.at(median(rung.cpu), rung.errors.final_rms);
-        if (const auto centre = labels.place(dot, half_size(says, 9), across))
+        if (const auto centre = labels.place(dot, half_size(says, 9)))
             text += label(*centre, says, plot_style(*rung.method).colour, 9);
     };
     for (const Method* method : study.methods()) {
         const std::vector<const Rung*> rungs = study.rungs_of(*method);
-        const Pixel dot = chart.at(median(rungs.front()->cpu), rungs.front()->errors.final_rms);
         const std::string name(method->name);
-        if (const auto centre = labels.place(dot, half_size(name, 12), false))
+        for (const Rung* rung : rungs) {
+            const Pixel dot = chart.at(median(rung->cpu), rung->errors.final_rms);
+            const auto centre = labels.place(dot, half_size(name, 12));
+            if (!centre) continue;
             text += label(*centre, name, plot_style(*method).colour, 12);
+            break;
+        }
     }
     for (const Method* method : study.methods()) {
         const std::vector<const Rung*> rungs = study.rungs_of(*method);
-        add(*rungs.back(), false);
-        if (rungs.size() > 1) add(*rungs.front(), false);
+        add(*rungs.back());
+        if (rungs.size() > 1) add(*rungs.front());
     }
     for (const Method* method : study.methods()) {
         const std::vector<const Rung*> rungs = study.rungs_of(*method);
-        for (size_t i = 1; i + 1 < rungs.size(); ++i) add(*rungs[i], false);
+        for (size_t i = 1; i + 1 < rungs.size(); ++i) add(*rungs[i]);
     }
     return text;
 }
@@ -150,20 +157,22 @@ std::string error_against_cpu(const Study& study) {
         }
         data += "EOD\n";
         const std::string line = cat("$line", block, " using 1:2");
-        plot +=
-            cat(block == 0 ? "" : ", \\\n     ", line, ":3:4 with xerrorbars lc rgb '", style.colour,
-                "' lw 0.8 pt 0 notitle, \\\n     ", line, " with linespoints lc rgb '", style.colour, "' dt ",
-                style.dash, " lw 2 pt ", style.dot, " ps 0.9 title ", plot_quoted(std::string(method->name)));
+        plot += cat(line, ":3:4 with xerrorbars lc rgb '", style.colour, "' lw 0.8 pt 0 notitle, \\\n     ",
+                    line, " with linespoints lc rgb '", style.colour, "' dt ", style.dash, " lw 2 pt ",
+                    style.dot, " ps 0.9 title ", plot_quoted(std::string(method->name)), ", \\\n     ");
         ++block;
     }
-    if (block == 0) plot += "NaN notitle";
     std::string levels = cat("set object rectangle from graph 0,graph 0 to graph 1,first ", study.bar(),
                              " fc rgb '#f1f1f1' fs solid noborder behind\n");
-    levels += level(chart, labels, study.bar(), "error bar of the reference: " + length_text(study.bar()),
-                    "solid", false);
-    if (study.floor() > 0)
-        levels += level(chart, labels, study.floor(), "predictability floor: " + length_text(study.floor()),
-                        "(7,6)", study.floor() >= study.bar());
+    levels += level_label(chart, labels, study.bar(),
+                          "error bar of the reference: " + length_text(study.bar()), false);
+    plot += level_line(study.bar(), "solid");
+    if (study.floor() > 0) {
+        levels +=
+            level_label(chart, labels, study.floor(), "predictability floor: " + length_text(study.floor()),
+                        study.floor() >= study.bar());
+        plot += ", \\\n     " + level_line(study.floor(), "(7,6)");
+    }
     return heading(study, "Error against run time") + "set logscale x\n" + ticks(chart.x) +
            cat("set xrange [", chart.x.low, ":", chart.x.high, "]\nset yrange [", chart.y.low, ":",
                chart.y.high, "]\nset xlabel 'CPU time of the pass [s]'\n",

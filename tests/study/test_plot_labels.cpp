@@ -16,7 +16,7 @@ TEST_CASE("a label covers no dot, no line, no other label, and stays inside", "[
     }
     for (int i = 0; i < 12; ++i) {
         const Pixel dot(15 + 15 * i, 20 + 14 * i);
-        const auto centre = labels.place(dot, half, false);
+        const auto centre = labels.place(dot, half);
         if (!centre) continue;
         const LabelBox box{*centre, half};
         CHECK(centre->x() - half.x() >= 0);
