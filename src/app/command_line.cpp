@@ -59,7 +59,16 @@ void add_run_options(CLI::App& verb, const std::shared_ptr<RunOptions>& run) {
             },
             "run until every frame's RMS error is below this many metres")
         ->type_name("M");
-    verb.add_flag("--strict", run->strict, "exit with 4 where the tolerance is not reached");
+    verb.add_option_function<std::string>(
+            "--budget",
+            [run](const std::string& text) {
+                run->budget = positive_number(text, "--budget", "seconds over 0");
+            },
+            "the most accurate result within this many seconds, pictures included")
+        ->type_name("S");
+    verb.add_option("--replay", run->replay, "repeat the run of this report.json, step by step")
+        ->type_name("FILE");
+    verb.add_flag("--strict", run->strict, "exit with 4 where the tolerance or the budget is not kept");
     verb.add_flag("!--no-estimate", run->estimate, "leave out the second pass that tells the error");
     verb.add_option("--threads", run->threads, "how many threads (default: one per core)")
         ->type_name("N")

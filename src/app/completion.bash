@@ -1,7 +1,7 @@
 # bash completion for drape
 _drape() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]}
-    local run="--out --method --step --tolerance --strict --no-estimate --threads --set --resume --quiet --help"
+    local run="--out --method --step --tolerance --budget --replay --strict --no-estimate --threads --set --resume --quiet --help"
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
@@ -10,7 +10,7 @@ _drape() {
     fi
     case $previous in
         --out) mapfile -t COMPREPLY < <(compgen -d -- "$word") && return ;;
-        --cache | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
+        --cache | --replay | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
         --method)
             mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada srkn4 srkn6 rk4 \
                 embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2" -- "$word")

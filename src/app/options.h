@@ -15,7 +15,9 @@ struct RunOptions {
     std::optional<std::string> method;
     std::optional<double> step;       // [s]
     std::optional<double> tolerance;  // [m]
-    bool strict = false;              // exit 4 where the tolerance is not reached
+    std::optional<double> budget;     // wall time [s]
+    std::string replay;               // the report of a run to repeat; "" = none
+    bool strict = false;              // exit 4 where tolerance or budget are not kept
     bool estimate = true;             // of the error, where no tolerance is asked
     int threads = 0;                  // 0 = as many as there are cores
     bool quiet = false;

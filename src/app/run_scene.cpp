@@ -5,9 +5,10 @@
 #include <filesystem>
 #include <thread>
 
-#include "app/demo_scenes.h"
+#include "app/described_scene.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
+#include "app/replay.h"
 #include "app/verbs.h"
 #include "app/version.h"
 #include "base/hash.h"
@@ -17,7 +18,6 @@
 #include "io/write_file.h"
 #include "report/report.h"
 #include "scene/builder.h"
-#include "scene/reader.h"
 #include "scene/scene_text.h"
 #include "simulate/checkpoint.h"
 #ifdef DRAPE_WITH_RENDER
@@ -32,29 +32,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t largest_checkpoint = std::uint64_t{4} << 30;  // [bytes]
 
-SceneDescription described(const RunOptions& options) {
-    SceneDescription scene = read_scene(scene_path(options.scene), options.set);
-    if (options.size) scene.look.size = *options.size;
-    if (options.step && options.tolerance)
-        throw Error("--tolerance chooses the step by itself (leave out --step, or --tolerance)");
-    AccuracyDescription& accuracy = scene.accuracy;
-    if (options.method) accuracy.method = *options.method;
-    // the command line has the last word: each of the two takes the other's place
-    if (options.step) {
-        accuracy.step = options.step;
-        accuracy.tolerance.reset();
-    }
-    if (options.tolerance) {
-        accuracy.tolerance = options.tolerance;
-        accuracy.step.reset();
-    }
-    if (options.strict && !accuracy.tolerance)
-        throw Error("--strict goes with a tolerance (--tolerance, or [accuracy] tolerance in the scene)");
-    if (!options.estimate && accuracy.tolerance)
-        throw Error("--no-estimate: a tolerance is met by estimating the error (leave one of them out)");
-    return scene;
-}
-
 int threads_of(const RunOptions& options) {
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     return options.threads > 0 ? options.threads : static_cast<int>(cores);
@@ -67,9 +44,11 @@ public:
     Exit go();
 
 private:
+    DeliveryOptions delivery_options() const;
+    void replay(Setup& setup, DeliveryOptions& wanted) const;
     void deliver(const FrameReport& frame);
     bool keep_going(double& unsaved);
-    void demand_tolerance() const;
+    void demand_what_was_asked() const;
     void prepare_folder();
     void prepare_cache();
     void resume();
@@ -92,7 +71,7 @@ private:
 #endif
 };
 
-Run::Run(const RunOptions& options) : options_(options), scene_(described(options)) {
+Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(options)) {
     const int frames = scene_.frames();
     drawn_ = options.frames.value_or(std::array{1, frames});
     if (drawn_[0] < 1 || drawn_[1] < drawn_[0] || drawn_[1] > frames)
@@ -106,8 +85,9 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described(option
         Built built = build_scene(scene_);
         report_.times.load = built.load_seconds;
         report_.notes = built.notes;
-        delivery_ = make_delivery(std::move(built.setup), {scene_.accuracy.tolerance, options.estimate,
-                                                           threads_of(options), drawn_[1]});
+        DeliveryOptions wanted = delivery_options();
+        if (!options.replay.empty()) replay(built.setup, wanted);
+        delivery_ = make_delivery(std::move(built.setup), wanted);
     }
     report_.times.build -= report_.times.load;
     const Simulation& simulation = delivery_->simulation();
@@ -120,6 +100,27 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described(option
     prepare_folder();
     if (options.resume) resume();
     prepare_cache();
+}
+
+DeliveryOptions Run::delivery_options() const {
+    DeliveryOptions wanted{.tolerance = scene_.accuracy.tolerance,
+                           .estimate = options_.estimate,
+                           .threads = threads_of(options_),
+                           .frames = drawn_[1]};
+    if (scene_.accuracy.budget) wanted.budget = {*scene_.accuracy.budget, [this] { return wall_.seconds(); }};
+    return wanted;
+}
+
+void Run::replay(Setup& setup, DeliveryOptions& wanted) const {
+    const Replay earlier = read_replay(options_.replay);
+    if (earlier.scene != scene_.name)
+        throw Error(cat(options_.replay, ": is of the scene ", quoted(earlier.scene), ", not of ",
+                        quoted(scene_.name)));
+    if (earlier.steps.size() < static_cast<size_t>(drawn_[1]))
+        throw Error(cat(options_.replay, ": has ", earlier.steps.size(), " frames, this run ", drawn_[1]));
+    setup.method = earlier.method;
+    setup.because = cat("replayed from ", options_.replay);
+    wanted.replay = earlier.steps;
 }
 
 void Run::add_output_stages() {
@@ -213,9 +214,11 @@ void Run::finish(bool complete) {
     report_.method = &simulation.method();
     report_.chosen_because = simulation.chosen_because();
     report_.step = simulation.step();
+    report_.solver = simulation.solver_work();
     report_.longest_step = simulation.longest_step();
     report_.guaranteed_step = simulation.guaranteed_step();
     report_.error = delivery_->error();
+    report_.budget = scene_.accuracy.budget;
     report_.end = simulation.energies();
     report_.flow = simulation.flow();
     report_.times.contact = simulation.contact_seconds();
@@ -265,7 +268,7 @@ void Run::deliver(const FrameReport& frame) {
     }
 }
 
-void Run::demand_tolerance() const {
+void Run::demand_what_was_asked() const {
     const ErrorAccount& error = report_.error;
     if (!error.reached)
         throw Error(cat(options_.scene, ": the tolerance of ", *error.asked,
@@ -276,6 +279,10 @@ void Run::demand_tolerance() const {
             cat(options_.scene, ": the tolerance of ", *error.asked,
                 " m lies below the predictability floor from t = ", error.floor_from, " s on (--strict)"),
             Exit::went_wrong);
+    if (!report_.budget_kept())
+        throw Error(cat(options_.scene, ": took ", report_.times.wall, " s of a budget of ", *report_.budget,
+                        " s: its shortest way takes longer (--strict)"),
+                    Exit::went_wrong);
 }
 
 Exit Run::go() {
@@ -306,7 +313,7 @@ Exit Run::go() {
         }
     }
     finish(true);
-    if (options_.strict) demand_tolerance();
+    if (options_.strict) demand_what_was_asked();
     return Exit::done;
 }
 

@@ -4,7 +4,7 @@ namespace drape {
 
 namespace {
 
-constexpr double creep = 1e-4;  // e [m/s]
+constexpr double creep = SmoothFriction::creep;
 
 double potential_of(double speed) {  // S
     const double y = speed / creep;

@@ -15,6 +15,8 @@ namespace drape {
 
 class SmoothFriction {
 public:
+    static constexpr double creep = 1e-4;  // e [m/s]
+
     // Takes over the normal forces of the last add_all.
     void hold(const Contact& contact);
     bool holds_any() const { return !grips_.empty(); }

@@ -56,7 +56,7 @@ public:
 
 private:
     static constexpr std::uint64_t samples_at = 28;  // where the header counts them
-    const Mesh& mesh_;
+    Mesh mesh_;
     int promised_, added_ = 0;
     OutputFile file_;
 };
@@ -92,7 +92,7 @@ private:
         return bytes;
     }
 
-    const Mesh& mesh_;
+    Mesh mesh_;
     double frame_rate_;
     int promised_, added_ = 0;
     OutputFile file_;
@@ -127,7 +127,7 @@ private:
     }
 
     std::string path_;
-    const Mesh& mesh_;
+    Mesh mesh_;
     size_t digits_;
     std::vector<std::unique_ptr<OutputFile>> files_;
 };

@@ -22,8 +22,10 @@ struct RunReport {
     const Method* method = nullptr;
     std::string chosen_because;
     double step = 0, longest_step = 0, guaranteed_step = 0;  // [s]
+    SolverWork solver;
     StageTimes times;
     ErrorAccount error;
+    std::optional<double> budget;  // of wall time [s]
     Energies start, end;
     EnergyFlow flow;
     Plan plan;
@@ -34,6 +36,7 @@ struct RunReport {
     double deepest_penetration() const;  // how far any point ever was inside an obstacle [m]; 0 if never
     int contacts_max() const;
     double least_distance() const;  // of any frame; infinite without obstacles [m]
+    bool budget_kept() const;       // to 10 %; true if there was none
     // what energy came or went unaccounted: end - start - driven + dissipated [J]
     double energy_drift() const { return end.total() - start.total() - flow.driven + flow.dissipated; }
 };

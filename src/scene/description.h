@@ -87,6 +87,7 @@ struct AccuracyDescription {
     std::string method = "auto";      // auto: drape chooses
     std::optional<double> step;       // [s]; none: drape chooses
     std::optional<double> tolerance;  // of the worst frame's RMS error [m]; none: no promise
+    std::optional<double> budget;     // of wall time, pictures included [s]
     Place place;
 };
 

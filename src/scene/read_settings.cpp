@@ -20,9 +20,6 @@ constexpr std::array<std::string_view, 10> contract_methods{
 
 AccuracyDescription read_accuracy(const Value& value) {
     const Keys keys(value, "accuracy", {"method", "step", "tolerance", "budget"});
-    if (const Value* given = keys.find("budget"))
-        fail(given->key_place,
-             "budget: this version of drape cannot do it yet (tolerance, or method and step)");
     AccuracyDescription accuracy;
     accuracy.place = keys.place();
     if (const Value* method = keys.find("method")) {
@@ -43,6 +40,12 @@ AccuracyDescription read_accuracy(const Value& value) {
         accuracy.tolerance = as_number(*tolerance, "tolerance", positive("m"));
         if (accuracy.step)
             fail(tolerance->key_place, "tolerance chooses the step by itself (leave out step, or tolerance)");
+    }
+    if (const Value* budget = keys.find("budget")) {
+        accuracy.budget = as_number(*budget, "budget", positive("s"));
+        if (accuracy.step || accuracy.tolerance)
+            fail(budget->key_place, "budget chooses step and error by itself (leave out ",
+                 accuracy.step ? "step" : "tolerance", ", or budget)");
     }
     return accuracy;
 }

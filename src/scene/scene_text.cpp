@@ -157,6 +157,7 @@ std::string scene_text(const SceneDescription& scene) {
     text += cat("\n[accuracy]\nmethod = ", toml(scene.accuracy.method), "\n");
     if (scene.accuracy.step) text += cat("step = ", toml(*scene.accuracy.step), "\n");
     if (scene.accuracy.tolerance) text += cat("tolerance = ", toml(*scene.accuracy.tolerance), "\n");
+    if (scene.accuracy.budget) text += cat("budget = ", toml(*scene.accuracy.budget), "\n");
     for (const ClothDescription& cloth : scene.cloths) text += cloth_text(cloth);
     for (const ObstacleDescription& obstacle : scene.obstacles) text += obstacle_text(obstacle);
     return text + air_text(scene.air) + look_text(scene.look);

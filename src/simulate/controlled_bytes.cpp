@@ -10,6 +10,7 @@ void each_number(Report& report, Visit visit) {
     visit(report.index);
     visit(report.time);
     visit(report.steps);
+    visit(report.planned_steps);
     visit(report.shortest_step);
     visit(report.contacts);
     visit(report.least_distance);
@@ -28,7 +29,6 @@ void each_record_number(Record& record, Visit visit) {
 }
 
 void put_pass(ByteWriter& out, const Pass& pass) {
-    out.put(pass.method);
     out.put(pass.refine);
     out.put(pass.steps);
     out.put(pass.touched);
@@ -44,7 +44,6 @@ void put_pass(ByteWriter& out, const Pass& pass) {
 
 Pass take_pass(ByteReader& in) {
     Pass pass;
-    pass.method = in.take_text();
     pass.refine = in.take<double>();
     pass.steps = in.take<double>();
     pass.touched = in.take<bool>();
@@ -79,7 +78,7 @@ std::string ControlledDelivery::save() const {
     for (const double value :
          {share_, account_.rms, account_.max, account_.floor, account_.floor_from, account_.seconds})
         out.put(value);
-    for (const int value : {idle_, failed_, delivered_}) out.put(value);
+    for (const int value : {row_, idle_, failed_, delivered_}) out.put(value);
     out.put(accepted_);
     out.put(account_.reached);
     out.put(account_.passes.size());
@@ -101,7 +100,7 @@ bool ControlledDelivery::restore(std::string_view bytes) {
     for (double* value :
          {&share_, &account_.rms, &account_.max, &account_.floor, &account_.floor_from, &account_.seconds})
         *value = in.take<double>();
-    for (int* value : {&idle_, &failed_, &delivered_}) *value = in.take<int>();
+    for (int* value : {&row_, &idle_, &failed_, &delivered_}) *value = in.take<int>();
     accepted_ = in.take<bool>();
     account_.reached = in.take<bool>();
     std::vector<PassRecord> records;
@@ -111,9 +110,9 @@ bool ControlledDelivery::restore(std::string_view bytes) {
         record.purpose = in.take_text();
         each_record_number(record, [&](auto& value) { value = in.take<std::decay_t<decltype(value)>>(); });
     }
-    if (!in.ok()) return false;
-    now_.method = now.method;  // start_pass keeps the row then
-    start_pass(now.method, now.refine);
+    if (!in.ok() || row_ < 0 || static_cast<size_t>(row_) >= rows_.size()) return false;
+    start_pass(now.refine);
+    start_twin();
     if (!running_->restore(in)) return false;
     if (!in.take<bool>())
         twin_.reset();

@@ -11,7 +11,6 @@ namespace drape {
 
 namespace {
 
-constexpr double first_refinement = 1.25;  // between the first two passes
 constexpr double least_refinement = 1.3, most_refinement = 8;
 constexpr double aim = 0.6;    // of the tolerance, when the next pass's steps are chosen
 constexpr double idle = 0.75;  // a pass whose error is more than this of the last one's was idle
@@ -28,32 +27,38 @@ ControlledDelivery::ControlledDelivery(Setup setup, const DeliveryOptions& optio
     mean_edge_ = mean_edge(setup_.model);
     account_.asked = tolerance_;
     account_.how = "whole passes with ever more steps, compared at every frame (Richardson)";
-    start_pass(setup_.method, 1);
+    Ways ways = ways_to(setup_, tolerance_);
+    if (ways.rough) rows_.push_back(std::move(*ways.rough));
+    usual_row_ = static_cast<int>(rows_.size());
+    rows_.push_back(std::move(ways.usual));
+    if (ways.fine) rows_.push_back(std::move(*ways.fine));
+    start_row(0);
     shown_ = running_->state();
+}
+
+void ControlledDelivery::start_row(int row) {
+    row_ = row;
+    row_steps_.clear();
+    row_distance_.clear();
+    distance_.clear();
+    before_ = {};
+    idle_ = failed_ = 0;
+    account_.floor = account_.floor_from = NAN;
+    start_pass(1);
     start_twin();
 }
 
 void ControlledDelivery::start_twin() {
-    Setup twin = setup_;
-    twin.method = now_.method;
-    twin.refine = now_.refine;
+    Setup twin = pass_along(way(), setup_, now_.refine);
     twin.start = moved_a_little(twin.model, twin.start);
     twin_ = std::make_unique<Simulation>(std::move(twin));
     floor_.clear();
 }
 
-void ControlledDelivery::start_pass(const std::string& method, double refine) {
-    if (method != now_.method) {
-        row_steps_.clear();
-        row_distance_.clear();
-    }
+void ControlledDelivery::start_pass(double refine) {
     now_ = {};
-    now_.method = method;
     now_.refine = refine;
-    Setup setup = setup_;
-    setup.method = method;
-    setup.refine = refine;
-    running_ = std::make_unique<Simulation>(std::move(setup));
+    running_ = std::make_unique<Simulation>(pass_along(way(), setup_, refine));
     account_.passes.emplace_back();
     account_.passes.back().purpose = before_.x.empty() ? "first look" : "more steps";
 }
@@ -91,10 +96,12 @@ void ControlledDelivery::run_frame() {
         now_.x.push_back(running_->state().x);
         if (!before_.x.empty())
             distance_.push_back(distance_between(now_.x.back(), before_.x[now_.x.size() - 1]));
+    } else if (row_ < usual_row_) {
+        return start_row(usual_row_);
     } else if (++failed_ < most_failed) {
         // a pass that went wrong says nothing but that it needs shorter steps
         distance_.clear();
-        start_pass(now_.method, 2 * now_.refine);
+        start_pass(2 * now_.refine);
         if (before_.x.empty()) start_twin();
         return;
     }
@@ -105,20 +112,23 @@ void ControlledDelivery::run_frame() {
 }
 
 void ControlledDelivery::end_pass() {
-    twin_.reset();
     row_steps_.push_back(now_.steps);
     if (before_.x.empty()) {
-        for (size_t k = 0; k < floor_.size(); ++k) {
-            account_.floor = std::fmax(account_.floor, floor_[k]);
-            if (floor_[k] > tolerance_ && std::isnan(account_.floor_from))
-                account_.floor_from = now_.frames[k].time;
-        }
+        note_floor();
         before_ = std::move(now_);
-        start_pass(before_.method, before_.refine * first_refinement);
-        return;
+        return start_pass(before_.refine * way().refinement);
     }
     row_distance_.push_back(worst_distance(false));
     judge();
+}
+
+void ControlledDelivery::note_floor() {
+    twin_.reset();
+    for (size_t k = 0; k < floor_.size(); ++k) {
+        account_.floor = std::fmax(account_.floor, floor_[k]);
+        if (floor_[k] > tolerance_ && std::isnan(account_.floor_from))
+            account_.floor_from = now_.frames[k].time;
+    }
 }
 
 double ControlledDelivery::formal_order() const {
@@ -148,17 +158,31 @@ void ControlledDelivery::judge() {
     double& last_error = account_.passes[account_.passes.size() - 2].error_rms;
     last_error = std::fmax(last_error, error_share(before_.steps, now_.steps, order) * row_distance_.back());
     account_.passes.back().error_rms = worst;
-    if (worst <= tolerance_) return accept(true);
+    if (n >= way().least_passes && worst <= tolerance_) return accept(true);
 
     // frames below the floor are refined as long as that helps; if it does not, the others decide
     idle_ = worst > idle * last_error && n >= 3 ? idle_ + 1 : 0;
     const bool others_met = share_ * worst_distance(true) <= tolerance_;
-    if (idle_ >= (others_met ? 1 : most_idle) || account_.passes.size() >= most_passes)
-        return accept(others_met);
-    const double needed = std::pow(worst / (aim * tolerance_), 1 / (n >= 3 ? order : formal_order()));
+    const bool stuck = idle_ >= (others_met ? 1 : most_idle) || account_.passes.size() >= most_passes;
+    // a rough way's order sets in late: how far it has to go is told by the one it will have
+    const bool rough = row_ < usual_row_;
+    const double expected = n >= 3 && !rough ? order : formal_order();
+    const double needed = now_.refine * std::pow(worst / (aim * tolerance_), 1 / expected);
+    const int row = stuck && rough ? usual_row_ : better_row(needed);
+    if (row != row_) return start_row(row);
+    if (stuck) return accept(others_met);
+    const double refinement =
+        rough ? way().refinement : std::clamp(needed / now_.refine, least_refinement, most_refinement);
     before_ = std::move(now_);
     distance_.clear();
-    start_pass(before_.method, before_.refine * std::clamp(needed, least_refinement, most_refinement));
+    start_pass(before_.refine * refinement);
+}
+
+int ControlledDelivery::better_row(double refine) const {
+    const size_t next = static_cast<size_t>(row_) + 1;
+    // higher order is lost where contact comes and goes
+    if (next >= rows_.size() || (row_ == usual_row_ && now_.touched)) return row_;
+    return way().seconds * refine > seconds_to_judge(rows_[next]) ? row_ + 1 : row_;
 }
 
 void ControlledDelivery::accept(bool reached) {

@@ -2,20 +2,24 @@
 // worst frame's error is below what was asked. Only then are frames delivered. Local step errors are no
 // guide: they misjudge the error of a frame by orders of magnitude.
 //
-// A twin of the first pass, its start moved by 1e-12 m, shows the predictability floor: how far two runs end
-// apart that no measurement could tell apart at the start. Frames whose floor lies above the tolerance are
-// refined as long as that helps, and are no reason to go on when it does not.
+// Where no method is asked for, up to three ways are tried (ways.h): a rough one if it promises the tolerance
+// for less, the usual explicit one, and one of higher order where the usual one would have to refine much.
+// Each starts a row of passes of its own; only passes of one row are compared.
+//
+// A twin of a row's first pass, its start moved by 1e-12 m, shows the predictability floor: how far two runs
+// end apart that no measurement could tell apart at the start. Frames whose floor lies above the tolerance
+// are refined as long as that helps, and are no reason to go on when it does not.
 #pragma once
 
 #include "simulate/delivery.h"
 #include "simulate/error_estimate.h"
+#include "simulate/ways.h"
 
 namespace drape {
 
 // Positions at every frame of one pass, and what the frames brought.
 struct Pass {
-    std::string method;  // "" = drape chooses
-    double refine = 1;   // Setup::refine
+    double refine = 1;  // Setup::refine
     std::vector<Points> x;
     std::vector<FrameReport> frames;
     double steps = 0;
@@ -37,12 +41,17 @@ public:
     bool restore(std::string_view bytes) override;
 
 private:
-    void start_pass(const std::string& method, double refine);
+    void start_row(int row);
+    void start_pass(double refine);
     void start_twin();
     void run_frame();
     void end_pass();
+    void note_floor();
     void judge();
+    // the row to go on with when the next pass of this one must refine so much
+    int better_row(double refine) const;
     void accept(bool reached);
+    const Way& way() const { return rows_[static_cast<size_t>(row_)]; }
     double formal_order() const;
     double worst_distance(bool above_floor_only) const;  // of any frame [m]
     FrameReport deliver();
@@ -50,11 +59,13 @@ private:
     Setup setup_;
     int threads_, frames_;
     double tolerance_, mean_edge_;  // [m]
+    std::vector<Way> rows_;
+    int row_ = 0, usual_row_ = 0;
     std::unique_ptr<Simulation> running_, twin_;
     Pass before_, now_;
     std::vector<double> floor_;         // per frame [m]
     std::vector<ErrorNorms> distance_;  // of now_ from before_, per frame
-    // of passes in a row with one method, newest last
+    // of the row's passes, newest last
     std::vector<double> row_steps_, row_distance_;
     double share_ = NAN;  // of the distance that is now_'s error
     int idle_ = 0, failed_ = 0;

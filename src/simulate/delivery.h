@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "simulate/pacer.h"
 #include "simulate/simulation.h"
 
 namespace drape {
@@ -64,9 +65,12 @@ public:
 
 struct DeliveryOptions {
     std::optional<double> tolerance = {};  // [m]
-    bool estimate = true;                  // run a second pass where no tolerance asks for one
-    int threads = 1;                       // 2 or more: passes run side by side; changes no bit
-    int frames = 0;                        // that are wanted; 0 = the whole scene
+    std::optional<Budget> budget = {};
+    std::vector<long> replay = {};  // planned_steps of every frame of an earlier run
+    bool estimate = true;           // run a second pass where no tolerance asks for one
+    std::string no_estimate_because = "--no-estimate";
+    int threads = 1;  // 2 or more: passes run side by side; changes no bit
+    int frames = 0;   // that are wanted; 0 = the whole scene
 };
 
 std::unique_ptr<Delivery> make_delivery(Setup setup, const DeliveryOptions& options);

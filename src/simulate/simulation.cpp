@@ -17,9 +17,7 @@ namespace {
 constexpr double margin = 0.85;          // of the longest stable step that is used
 constexpr double widest_margin = 0.98;   // ... by a pass that is there to be coarser
 constexpr double measured_excess = 1.1;  // a measured fastest mode is taken to be this much faster
-// where nothing asks for another [s]
-constexpr double usual_implicit_step = 0.0025, usual_projecting_step = 0.0005;
-constexpr int most_halvings = 30;  // of a step that crossed into an obstacle or was not solved
+constexpr int most_halvings = 30;        // of a step that crossed into an obstacle or was not solved
 
 std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
     return model.cloths.size() > 1 ? cat(stage, " (cloth ", cloth + 1, ")") : std::string(stage);
@@ -30,20 +28,18 @@ std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
 Simulation::Simulation(Setup setup) : setup_(std::move(setup)), state_(setup_.start) {
     place_pins(setup_.model, state_);
     build();
-    const bool conservative = dynamics_->is_conservative();
-    if (setup_.method.empty()) {
-        method_ = &method_named(conservative ? "takahashi_imada" : "verlet");
-        chosen_because_ =
-            conservative
-                ? "energy is conserved, so Takahashi-Imada has order four at two sweeps a step"
-                : "damping, drag or contact leave every method at order two, and one sweep is cheapest";
-    } else {
-        method_ = &method_named(setup_.method);
-        chosen_because_ = "asked for";
-        if (method_->conservative_only() && !conservative)
-            throw Error(cat("method ", method_->name, " is for scenes that conserve energy; this one has ",
-                            joined(dynamics_->losses()), " (verlet, rk4 and embedded_rk take any)"));
-    }
+    if (setup_.method.empty())
+        choose_method();
+    else
+        take_method(setup_.method, setup_.because);
+}
+
+void Simulation::take_method(std::string_view method, std::string because) {
+    method_ = &method_named(method);
+    chosen_because_ = std::move(because);
+    if (method_->conservative_only() && !dynamics_->is_conservative())
+        throw Error(cat("method ", method, " is for scenes that conserve energy; this one has ",
+                        joined(dynamics_->losses()), " (verlet, rk4 and embedded_rk take any)"));
     integrator_ = method_->make();
     choose_step();
 }
@@ -98,8 +94,12 @@ void Simulation::choose_step() {
     longest_ = method_->longest_step(spectrum_);
     double usual = method_->is_implicit() ? usual_implicit_step : margin * longest_;
     if (method_->projects_springs) usual = std::min(usual, usual_projecting_step);
-    step_ = 1 / setup_.frame_rate / steps_a_frame(setup_.step.value_or(usual));
+    double wanted = setup_.step.value_or(usual);
+    if (setup_.keep_stable && !method_->is_implicit()) wanted = std::min(wanted, margin * longest_);
+    step_ = 1 / setup_.frame_rate / steps_a_frame(wanted);
     pace_ = step_ / usual;
+    // springs set no limit there, contact does
+    if (method_->projects_springs) pace_ = std::min(pace_, 1.0);
 }
 
 double Simulation::steps_a_frame(double wanted) const {
@@ -170,6 +170,7 @@ FrameReport Simulation::next_frame() {
     choose_step();
     if (Contact* contact = dynamics_->contact()) contact->prepare(state_, step_);
     integrator_->begin(*dynamics_, state_, step_);
+    report.planned_steps = std::lround(1 / setup_.frame_rate / step_);
     report.shortest_step = step_;
     double h = step_;
     for (double left = end_time - state_.time; left > 1e-12 * end_time; left = end_time - state_.time) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/plan.h"
@@ -23,8 +24,10 @@ struct Setup {
     std::vector<Obstacle> obstacles;
     double frame_rate = 30;  // [1/s]
     int frames = 1;
-    std::string method;          // "" = drape chooses
-    std::optional<double> step;  // [s]; none = the longest stable one, less a margin
+    std::string method;                 // "" = drape chooses
+    std::string because = "asked for";  // why this method
+    std::optional<double> step;         // [s]; none = the longest stable one, less a margin
+    bool keep_stable = false;           // shorten a step that is asked for to the stable one
     // Multiplies the steps of a frame, contact's shorter ones too: passes that differ in nothing else tell
     // the error. At least one more or one less than 1 gives, as far as stability allows.
     double refine = 1;
@@ -35,6 +38,7 @@ struct FrameReport {
     int index = 0;
     double time = 0;  // [s]
     long steps = 0;
+    long planned_steps = 0;    // without those that contact asked for
     double shortest_step = 0;  // [s]
     int contacts = 0;          // most at once
     // from any obstacle, over the steps in contact and at the frame's end; infinite without obstacles [m]
@@ -52,6 +56,9 @@ struct Energies {
     double total() const { return kinetic + potential; }
 };
 
+// Where nothing asks for another [s].
+inline constexpr double usual_implicit_step = 0.0025, usual_projecting_step = 0.0005;
+
 class Simulation {
 public:
     // Throws Error where cloth starts inside an obstacle or the method is not for such a scene. `threads` is
@@ -61,6 +68,9 @@ public:
     Simulation& operator=(const Simulation&) = delete;
 
     FrameReport advance();  // one frame
+
+    // Frames from now on take steps of `step` [s], as Setup::step says.
+    void ask_step(double step) { setup_.step = step; }
 
     const Model& model() const { return setup_.model; }
     const State& state() const { return state_; }
@@ -74,10 +84,14 @@ public:
     const std::string& chosen_because() const { return chosen_because_; }
     double step() const { return step_; }             // of the last frame; before the first: planned [s]
     double longest_step() const { return longest_; }  // stable by the measured fastest mode [s]
+    const Spectrum& spectrum() const {
+        return spectrum_;
+    }  // of all forces but contact, and of springs if projected
     double guaranteed_step() const { return guaranteed_; }  // stable by Gershgorin's bound [s]
     double lifted() const { return lifted_; }               // how far start overlaps were cleared [m]
 
     Dynamics& dynamics() { return *dynamics_; }
+    bool has_contact() const { return dynamics_->contact() != nullptr; }  // with any obstacle within reach
     long sweeps() const { return dynamics_->sweeps(); }
     double contact_seconds() const { return dynamics_->contact_seconds(); }  // CPU, of the run so far [s]
     Energies energies() const;
@@ -93,6 +107,8 @@ public:
 
 private:
     void build();
+    void choose_method();  // default_method.cpp
+    void take_method(std::string_view method, std::string because);
     FrameReport next_frame();
     void choose_step();
     double steps_a_frame(double wanted) const;

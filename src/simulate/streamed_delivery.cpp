@@ -23,7 +23,8 @@ void record(PassRecord& pass, const Simulation& simulation, const FrameReport& f
 
 }  // namespace
 
-StreamedDelivery::StreamedDelivery(Setup setup, const DeliveryOptions& options) : threads_(options.threads) {
+StreamedDelivery::StreamedDelivery(Setup setup, const DeliveryOptions& options)
+    : threads_(options.threads), replay_(options.replay) {
     if (options.estimate) {
         Setup other = setup;
         other.refine = companion_steps;
@@ -32,14 +33,22 @@ StreamedDelivery::StreamedDelivery(Setup setup, const DeliveryOptions& options) 
     delivered_ = std::make_unique<Simulation>(std::move(setup));
     mean_edge_ = mean_edge(delivered_->model());
     account_.how = companion_ ? "a second pass with another step, beside the first (Richardson)"
-                              : "no second pass: --no-estimate";
+                              : cat("no second pass: ", options.no_estimate_because);
     account_.passes.resize(companion_ ? 2 : 1);
     account_.passes[0].purpose = "delivered";
     if (companion_) account_.passes[1].purpose = "for the error";
 }
 
+void StreamedDelivery::pace(double steps) {
+    const double step = 1 / delivered_->frame_rate() / steps;
+    delivered_->ask_step(step);
+    if (companion_) companion_->ask_step(step);
+}
+
 std::optional<FrameReport> StreamedDelivery::advance() {
     FrameReport report, other;
+    if (const auto k = static_cast<size_t>(frame()); k < replay_.size())
+        pace(static_cast<double>(replay_[k]));
     if (companion_)
         std::tie(report, other) = advance_both(*delivered_, *companion_, threads_);
     else

@@ -18,6 +18,9 @@ public:
     const Eigen::VectorXf& vertex_error() const override { return vertex_error_; }
     const ErrorAccount& error() const override { return account_; }
     PassProgress progress() const override { return {}; }
+    // Frames from now on take so many steps, the companion's fewer.
+    void pace(double steps);
+
     std::string save() const override;
     bool restore(std::string_view bytes) override;
 
@@ -25,6 +28,7 @@ private:
     void judge(FrameReport& delivered, const FrameReport& companion);
 
     int threads_;
+    std::vector<long> replay_;  // planned steps of every frame; empty: as they come
     std::unique_ptr<Simulation> delivered_, companion_;
     double steps_ = 0, companion_steps_ = 0;
     double mean_edge_ = 0;  // [m]

@@ -73,11 +73,13 @@ TEST_CASE("a tolerance is met frame by frame; one below what can be predicted is
                                           "pins = [{ near = [-0.5, 0, -0.5] }]\n");
     const auto run = [&](const std::string& tolerance) {
         return run_drape({"simulate", scene, "--out", folder.file("out"), "--quiet", "--strict",
-                          "--tolerance", tolerance});
+                          "--tolerance", tolerance, "--cache", folder.file("swatch.pc2")});
     };
     const Ran met = run("1e-4");
     CAPTURE(met.err);
     CHECK(met.exit_code == 0);
+    // 32 bytes of header, the start and four frames
+    CHECK(std::filesystem::file_size(folder.file("swatch.pc2")) == 32 + 5 * 81 * 3 * sizeof(float));
     Json error = report_of(folder.file("out"))["error"];
     CHECK(error["asked_m"] == 1e-4);
     CHECK(error["reached"] == true);
@@ -93,12 +95,38 @@ TEST_CASE("a tolerance is met frame by frame; one below what can be predicted is
     CHECK(error["below_floor_from_s"] == Approx(0.1));
 }
 
+TEST_CASE("a run within a budget tells how it was stepped, and its report replays to the same bits",
+          "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("drop.toml", small_drop());
+    const Ran ran =
+        run_drape({"simulate", scene, "--out", folder.file("first"), "--budget", "2", "--strict"});
+    CAPTURE(ran.err);
+    REQUIRE(ran.exit_code == 0);
+    const Json first = report_of(folder.file("first"));
+    CHECK(first["budget"] == Json{{"asked_s", 2.0}, {"kept", true}});
+    CHECK(first["error"]["estimated_rms_m"].get<double>() > 0);
+    REQUIRE(run_drape({"simulate", scene, "--out", folder.file("second"), "--replay",
+                       folder.file("first/report.json")})
+                .exit_code == 0);
+    const Json second = report_of(folder.file("second"));
+    CHECK(second["budget"].is_null());
+    REQUIRE(second["frames"].size() == first["frames"].size());
+    for (size_t k = 0; k < first["frames"].size(); ++k)
+        CHECK(second["frames"][k]["hash"] == first["frames"][k]["hash"]);
+    CHECK(second["error"]["estimated_rms_m"] == first["error"]["estimated_rms_m"]);
+}
+
 TEST_CASE("flags of accuracy that contradict each other are refused", "[app]") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("drop.toml", small_drop());
     using Flags = std::vector<std::string>;
-    for (const Flags& flags : {Flags{"--strict"}, Flags{"--tolerance", "1e-3", "--step", "1e-4"},
-                               Flags{"--tolerance", "1e-3", "--no-estimate"}, Flags{"--tolerance", "0"}}) {
+    for (const Flags& flags :
+         {Flags{"--strict"}, Flags{"--tolerance", "1e-3", "--step", "1e-4"},
+          Flags{"--tolerance", "1e-3", "--no-estimate"}, Flags{"--tolerance", "0"},
+          Flags{"--budget", "9", "--step", "1e-4"}, Flags{"--budget", "9", "--tolerance", "1e-3"},
+          Flags{"--budget", "-1"}, Flags{"--replay", "none.json"}, Flags{"--replay", scene, "--step", "1e-4"},
+          Flags{"--replay", scene}}) {
         Flags words{"simulate", scene, "--out", folder.file("out")};
         words.insert(words.end(), flags.begin(), flags.end());
         const Ran ran = run_drape(words);
@@ -179,19 +207,25 @@ TEST_CASE("an interrupted run resumes to the same bits", "[app]") {
     CHECK(run_drape({"simulate", scene, "--out", folder.file("whole"), "--resume"}).exit_code == 0);
 }
 
-TEST_CASE("a step far too long stops with exit 4 and the last good state", "[app]") {
+TEST_CASE(
+    "a step far too long for a method stops with exit 4 and the last good state; auto takes another one",
+    "[app]") {
     const TemporaryFolder folder;
     const std::string scene = folder.file(
         "s.toml",
         "schema = 1\n[scene]\nduration = 1\n[[cloth]]\n"
         "pattern = { name = \"alternating\", size = [1, 1], divisions = [8, 8] }\nfabric = \"cotton\"\n"
         "pins = [{ near = [-0.5, 0, -0.5] }]\n");
-    const Ran ran = run_drape({"simulate", scene, "--out", folder.file("out"), "--step", "0.02", "--quiet"});
+    const Ran ran = run_drape({"simulate", scene, "--out", folder.file("out"), "--step", "0.02", "--quiet",
+                               "--method", "takahashi_imada"});
     CAPTURE(ran.err);
     CHECK(ran.exit_code == 4);
     CHECK(ran.error_lines() == 1);
     CHECK_THAT(ran.err, Catch::Contains("longest stable"));
     CHECK(std::filesystem::exists(folder.file("out/checkpoint")));
+
+    CHECK(run_drape({"simulate", scene, "--out", folder.file("other"), "--step", "0.02"}).exit_code == 0);
+    CHECK(report_of(folder.file("other"))["method"]["name"] == "tr_bdf2");
 }
 
 TEST_CASE("inspect prints plan, mesh, step and a scene that reads back as itself", "[app]") {

@@ -126,7 +126,8 @@ TEST_CASE("a cloth on a slope below its friction angle moves under 1 mm in 2 s",
                     (moved - s.normal * (s.normal.transpose() * moved)).colwise().norm().maxCoeff();
                 REQUIRE(along < 1e-3);  // measured: 1.5e-5 m
             }
-            CHECK(std::abs(s.speed()) < 1e-6);
+            // implicit methods' smooth friction holds against a creep
+            CHECK(std::abs(s.speed()) < (method.is_implicit() ? SmoothFriction::creep : 1e-6));
         }
     }
 }

@@ -31,9 +31,15 @@ TEST_CASE("a tolerance may be asked for, with a method but not with a step", "[s
           "scene.toml:6:1: tolerance chooses the step by itself (leave out step, or tolerance)");
 }
 
+TEST_CASE("a budget may be asked for, with a method but not with a step or a tolerance", "[scene]") {
+    CHECK(scene_of(with_cloth("[accuracy]\nbudget = \"2 min\"\n")).accuracy.budget == 120);
+    CHECK(error_of(with_cloth("[accuracy]\nbudget = 0\n")) ==
+          "scene.toml:5:10: budget must be positive, got 0 s");
+    CHECK(error_of(with_cloth("[accuracy]\ntolerance = 0.1\nbudget = 9\n")) ==
+          "scene.toml:6:1: budget chooses step and error by itself (leave out tolerance, or budget)");
+}
+
 TEST_CASE("accuracy that this version cannot give is refused, never ignored", "[scene]") {
-    CHECK(error_of(with_cloth("[accuracy]\nbudget = 60\n")) ==
-          "scene.toml:5:1: budget: this version of drape cannot do it yet (tolerance, or method and step)");
     for (const char* method : {"projective_dynamics"}) {
         CAPTURE(method);
         CHECK(error_of(with_cloth("[accuracy]\nmethod = \"" + std::string(method) + "\"\n"))

@@ -1,0 +1,125 @@
+#include "simulate/budgeted_delivery.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "simulate/ways.h"
+
+namespace drape {
+
+namespace {
+
+// What a second pass beside the first adds to the wall time of both: little on a core of its own.
+constexpr double beside_on_own_core = 1.1, beside_on_same_core = 1.9;
+constexpr int trial_frames = 2;
+constexpr double spare_before_contact = 0.3, spare_before_first_picture = 0.5;
+// More steps than so many times the stable ones gain nothing that round-off leaves.
+constexpr double most_refinement = 256;
+
+// Wall seconds that a step of the way takes, by its first frames.
+double measured_step(const Way& way, const Setup& setup, int frames, const Budget& budget) {
+    Simulation trial(pass_along(way, setup, 1));
+    const double began = budget.clock();
+    double steps = 0;
+    for (int k = 0; k < std::min(trial_frames, frames); ++k)
+        steps += static_cast<double>(trial.advance().planned_steps);
+    return (budget.clock() - began) / std::max(steps, 1.0);
+}
+
+double stable_steps(const Way& way, const Setup& setup, int frames) {
+    return frames / setup.frame_rate / Simulation(pass_along(way, setup, 1)).step();
+}
+
+// The usual way if the budget has time for its longest step, one of higher order if it has time for many
+// more, else the rough one; with a second pass if there is time for that.
+Approach approach_to(const Setup& setup, const DeliveryOptions& options, int frames) {
+    const Ways ways = ways_within_budget(setup);
+    const Budget& budget = *options.budget;
+    const double beside = options.threads > 1 ? beside_on_own_core : beside_on_same_core;
+    Approach approach{ways.usual, options.estimate, measured_step(ways.usual, setup, frames, budget)};
+    const double once = approach.step_seconds * stable_steps(ways.usual, setup, frames);
+    const double left = budget.seconds - budget.clock();
+    if (ways.rough && left < once) {
+        approach.way = *ways.rough;
+        approach.step_seconds = measured_step(*ways.rough, setup, frames, budget);
+    } else if (left < beside * once) {
+        approach.estimate = false;
+    } else if (ways.fine) {
+        const double ratio = ways.fine->seconds / ways.usual.seconds;
+        if (left > beside * once * seconds_to_judge(*ways.fine) / ways.usual.seconds) {
+            approach.way = *ways.fine;
+            approach.step_seconds *=
+                ratio * stable_steps(ways.usual, setup, frames) / stable_steps(*ways.fine, setup, frames);
+        }
+    }
+    if (approach.estimate) approach.step_seconds *= beside;
+    return approach;
+}
+
+}  // namespace
+
+BudgetedDelivery::BudgetedDelivery(Setup setup, const DeliveryOptions& options)
+    : setup_(std::move(setup)),
+      options_(options),
+      frames_(options.frames > 0 ? options.frames : setup_.frames) {
+    setup_.keep_stable = true;
+    options_.budget->clock = [this, elapsed = options.budget->clock] { return before_ + elapsed(); };
+    take(approach_to(setup_, options_, frames_));
+}
+
+void BudgetedDelivery::take(const Approach& approach) {
+    approach_ = approach;
+    DeliveryOptions inner = options_;
+    if (options_.estimate && !approach.estimate) inner.no_estimate_because = "the budget has no time for one";
+    inner.estimate = approach.estimate;
+    inner_ = std::make_unique<StreamedDelivery>(pass_along(approach.way, setup_, 1), inner);
+    const Simulation& simulation = inner_->simulation();
+    most_steps_ = most_refinement / simulation.frame_rate() / simulation.step();
+    waits_for_contact_ = simulation.has_contact();
+    pacer_.emplace(*options_.budget, frames_, approach.step_seconds);
+}
+
+std::optional<FrameReport> BudgetedDelivery::advance() {
+    pacer_->begin_frame();
+    const double spare = frame() == 0         ? spare_before_first_picture
+                         : waits_for_contact_ ? spare_before_contact
+                                              : 0.0;
+    const double steps = std::clamp(std::floor(pacer_->affordable_steps(spare)), 1.0, most_steps_);
+    inner_->pace(steps);
+    std::optional<FrameReport> report = inner_->advance();
+    pacer_->end_frame(static_cast<double>(report->planned_steps));
+    if (report->contacts > 0) waits_for_contact_ = false;
+    return report;
+}
+
+std::string BudgetedDelivery::save() const {
+    ByteWriter out;
+    out.put(options_.budget->clock());
+    out.put(approach_.way.method);
+    out.put(approach_.estimate);
+    out.put(pacer_->step_seconds());
+    out.put(waits_for_contact_);
+    out.put(inner_->save());
+    return std::move(out).bytes();
+}
+
+bool BudgetedDelivery::restore(std::string_view bytes) {
+    ByteReader in(bytes);
+    before_ = in.take<double>();
+    Approach approach;
+    approach.way.method = in.take_text();
+    approach.way.because = "the run that is gone on with took it";
+    approach.estimate = in.take<bool>();
+    approach.step_seconds = in.take<double>();
+    const bool waits_for_contact = in.take<bool>();
+    const std::string inner = in.take_text();
+    if (!in.at_end()) return false;
+    take(approach);
+    if (!inner_->restore(inner)) return false;
+    waits_for_contact_ = waits_for_contact;
+    pacer_.emplace(*options_.budget, frames_ - frame(), approach.step_seconds);
+    return true;
+}
+
+}  // namespace drape
