@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/lanes.h"
 #include "base/wide.h"
 #include "force/plate_fit.h"
 
@@ -12,25 +13,27 @@ namespace drape {
 
 namespace {
 
-using Lanes = double __attribute__((vector_size(32)));  // x y z 0
-
 double rest_area(const Mesh& mesh, int f) {
     const Vec3 a = mesh.rest.col(mesh.faces(0, f));
     return (mesh.rest.col(mesh.faces(1, f)) - a).cross(mesh.rest.col(mesh.faces(2, f)) - a).norm() / 2;
 }
 
 // f -= K (x + tau v) for the rows of one cloth; returns v' K v. xv holds position and velocity by turns.
-DRAPE_WIDE double multiply(const int* row, const int* column, const double* value, int rows, const Lanes* xv,
+DRAPE_WIDE double multiply(const int* row, const int* column, const double* value, int rows, const double* xv,
                            double tau, double* f) {
     double quadratic = 0;
     for (int i = 0; i < rows; ++i) {
         Lanes kx = {}, kv = {};
         for (int k = row[i]; k < row[i + 1]; ++k) {
-            const Lanes* p = xv + 2 * column[k];
-            kx += value[k] * p[0];
-            kv += value[k] * p[1];
+            Lanes p, q;
+            load(p, xv + 8 * column[k]);
+            load(q, xv + 8 * column[k] + 4);
+            kx += value[k] * p;
+            kv += value[k] * q;
         }
-        const Lanes total = kx + tau * kv, heat = kv * xv[2 * i + 1];
+        Lanes v;
+        load(v, xv + 8 * i + 4);
+        const Lanes total = kx + tau * kv, heat = kv * v;
         f[3 * i] -= total[0];
         f[3 * i + 1] -= total[1];
         f[3 * i + 2] -= total[2];
@@ -103,7 +106,7 @@ BendPlate::BendPlate(const Cloth& cloth) : first_(cloth.first) {
         fastest_squared = std::max(fastest_squared, sum / cloth.mass[static_cast<Eigen::Index>(i)]);
     }
     tau_ = bending_relaxation_time(cloth, fastest_squared);
-    if (tau_ > 0) xv_.resize(2 * rows.size());
+    if (tau_ > 0) xv_ = Eigen::Matrix4Xd::Zero(4, 2 * cloth.vertices());
 }
 
 double BendPlate::energy(In x) const {
@@ -129,9 +132,8 @@ Power BendPlate::add_all(In x, In v, double, Out f) const {
     }
     const int rows = static_cast<int>(row_.size()) - 1;
     for (int i = 0; i < rows; ++i) {
-        const double *p = x.data() + 3 * (first_ + i), *q = v.data() + 3 * (first_ + i);
-        xv_[static_cast<size_t>(2 * i)] = Lanes{p[0], p[1], p[2], 0};
-        xv_[static_cast<size_t>(2 * i + 1)] = Lanes{q[0], q[1], q[2], 0};
+        xv_.col(2 * i).head<3>() = x.col(first_ + i);
+        xv_.col(2 * i + 1).head<3>() = v.col(first_ + i);
     }
     const double quadratic =
         multiply(row_.data(), column_.data(), value_.data(), rows, xv_.data(), tau_, f.data() + 3 * first_);

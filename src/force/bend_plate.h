@@ -34,8 +34,9 @@ private:
     std::vector<int> row_, column_;  // compressed rows of K, numbered within the cloth
     std::vector<double> value_;      // [N/m]
     double tau_ = 0;                 // [s]
-    // scratch: position and velocity of each vertex by turns, so that a row of K is read once for both
-    mutable std::vector<double __attribute__((vector_size(32)))> xv_;
+    // scratch: position and velocity of each vertex by turns, x y z 0, so that a row of K is read once for
+    // both
+    mutable Eigen::Matrix4Xd xv_;
     int incomplete_ = 0;
 };
 

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 
+#include "base/lanes.h"
 #include "base/wide.h"
 #include "force/colouring.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 // Four springs of a colour are worked on side by side: a vertex is loaded as one vector (x, y, z, w), four of
 // them are transposed. By columns of three doubles the same sweep took 1.4 times as long.
-typedef double Four __attribute__((vector_size(32), aligned(8)));
+using Four = Lanes;
 
 struct Columns {
     const int* a;
@@ -27,10 +27,6 @@ struct Step {
     double inverse;          // 1 / h [1/s]
     double inverse_squared;  // [1/s^2]
 };
-
-inline __attribute__((always_inline)) void load(Four& value, const double* from) {
-    std::memcpy(&value, from, sizeof value);
-}
 
 template <bool damped>
 inline __attribute__((always_inline)) void project_four(const Columns& s, int i, double* x,
@@ -76,8 +72,8 @@ inline __attribute__((always_inline)) void project_four(const Columns& s, int i,
         const Four a{move_a[k], move_a[k], move_a[k], 0}, b{move_b[k], move_b[k], move_b[k], 0};
         pa[k] -= a * d[k];
         pb[k] += b * d[k];
-        std::memcpy(x + 4 * s.a[i + k], &pa[k], sizeof pa[k]);
-        std::memcpy(x + 4 * s.b[i + k], &pb[k], sizeof pb[k]);
+        store(pa[k], x + 4 * s.a[i + k]);
+        store(pb[k], x + 4 * s.b[i + k]);
     }
 }
 
