@@ -103,6 +103,10 @@ void Contact::add_damping(In x, In v, double time, BlockMatrix& b) const {
     for (const ObstacleContact& pair : pairs_) pair.add_damping(x, v, time, b);
 }
 
+void Contact::add_majorant(In x, In v, double time, double c, Eigen::VectorXd& diagonal) const {
+    for (const ObstacleContact& pair : pairs_) pair.add_majorant(x, v, time, c, diagonal);
+}
+
 ContactWork Contact::rub(Points& v, double h) const {
     ContactWork all;
     for (const ObstacleContact& pair : pairs_) {

@@ -29,6 +29,7 @@ public:
     void add_couplings(Couplings& couplings) const;
     void add_stiffness(In x, In v, double time, BlockMatrix& k) const;
     void add_damping(In x, In v, double time, BlockMatrix& b) const;
+    void add_majorant(In x, In v, double time, double c, Eigen::VectorXd& diagonal) const;
 
     // as in ObstacleContact; x must be covered for the whole move
     double clear_part(In x, In move, double time) const;

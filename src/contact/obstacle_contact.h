@@ -65,6 +65,8 @@ public:
     void add_couplings(Couplings& couplings) const;
     void add_stiffness(In x, In v, double time, BlockMatrix& k) const;
     void add_damping(In x, In v, double time, BlockMatrix& b) const;
+    // A diagonal, the same for the three coordinates, that bounds K + B / c at this pose from above.
+    void add_majorant(In x, In v, double time, double c, Eigen::VectorXd& diagonal) const;
 
     // Changes velocities by the friction impulses of a time h under the last add_all's normal forces.
     ContactWork rub(Points& v, const Model& model, double h) const;

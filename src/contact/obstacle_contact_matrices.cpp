@@ -4,6 +4,8 @@
 //   -df/dx = A w w' (x) ( (psi'' + b' g') n n' - p hess g ),   -df/dv = A b w w' (x) n n'
 // Where damping has eaten the pressure up there is no force and neither matrix. What turning the normal does
 // to g' is left out: it is not symmetric, and small beside the rest. Friction is not in here.
+#include <algorithm>
+
 #include "contact/obstacle_contact.h"
 
 namespace drape {
@@ -51,6 +53,19 @@ void ObstacleContact::add_damping(In x, In v, double time, BlockMatrix& b) const
         b.add_point({point.vertex, static_cast<size_t>(point.corners)},
                     {point.weight, static_cast<size_t>(point.corners)},
                     point.area * damping * press.normal * press.normal.transpose());
+    });
+}
+
+// w w' is at most diag(w), by Jensen's inequality. The bend of the surface only lowers K, but where a solid
+// is hollow: inside a torus's ring, or against its rounding.
+void ObstacleContact::add_majorant(In x, In v, double time, double c, Eigen::VectorXd& diagonal) const {
+    each_press(x, v, obstacle_.motion.at(time), [&](const Press& press) {
+        const double stiffness = barrier_.stiffness(press.gap), damping = damping_at(stiffness);
+        const double slope = damping * barrier_.stiffness_slope(press.gap) / (2 * stiffness);
+        const double bound =
+            press.point->area * (std::max(stiffness + slope * press.opening, 0.0) + damping / c);
+        for (int k = 0; k < press.point->corners; ++k)
+            diagonal[press.point->vertex[k]] += press.point->weight[k] * bound;
     });
 }
 

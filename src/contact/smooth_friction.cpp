@@ -61,4 +61,12 @@ void SmoothFriction::add_damping(In v, BlockMatrix& b) const {
     }
 }
 
+void SmoothFriction::add_majorant(In v, double c, Eigen::VectorXd& diagonal) const {
+    for (const Grip& grip : grips_) {
+        const double bound = grip.most * over_speed(sliding(grip, v).norm()) / c;
+        for (int k = 0; k < grip.point->corners; ++k)
+            diagonal[grip.point->vertex[k]] += grip.point->weight[k] * bound;
+    }
+}
+
 }  // namespace drape

@@ -26,6 +26,9 @@ public:
     ContactWork add_force(In v, Out f) const;
 
     void add_damping(In v, BlockMatrix& b) const;  // B += -df/dv, semidefinite
+    // A diagonal that bounds B / c: the parabola of this curvature through the present potential lies above
+    // it at every velocity, as s(y) / y falls with y.
+    void add_majorant(In v, double c, Eigen::VectorXd& diagonal) const;
 
 private:
     Vec3 sliding(const Grip& grip, In v) const;

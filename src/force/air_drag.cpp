@@ -31,6 +31,9 @@ public:
     void add_damping(In, In, double, BlockMatrix& b) const override {
         for (int i = 0; i < rate_.size(); ++i) b.add_isotropic(first_ + i, first_ + i, rate_[i]);
     }
+    void add_damping_majorant(Majorant& b) const override {
+        for (int i = 0; i < rate_.size(); ++i) b.add_diagonal(first_ + i, rate_[i]);
+    }
 
 private:
     int first_;

@@ -284,4 +284,34 @@ void AltitudeBlend::add_damping(In x, In, double, BlockMatrix& b) const {
     });
 }
 
+// In the rest shape a move u changes s by sum_i b_i n_i . u_i, with u_i the change of edge i, n_i its
+// direction and b_i = L_i cot(angle opposite) / D0 - 1 / (3 L_i), so that by Cauchy's inequality
+//   (g . u)^2 <= sum_j |b_j| sum_i |b_i| |u_i|^2
+// Twice that covers g g' and hess s of shapes near rest: where no edge is strained by more than a fifth.
+template <class Add>
+void AltitudeBlend::bound_triangle(size_t i, double coefficient, Add add) const {
+    double squared[3], slope[3], sum = 0;
+    for (int k = 0; k < 3; ++k) squared[k] = 1 / inverse_squared_edge_[k][i];
+    for (int k = 0; k < 3; ++k) {
+        const double length = std::sqrt(squared[k]);
+        const double cotangent =
+            (squared[(k + 1) % 3] + squared[(k + 2) % 3] - squared[k]) / 2 * inverse_double_area_[i];
+        slope[k] = std::abs(length * cotangent * inverse_double_area_[i] - 1 / (3 * length));
+        sum += slope[k];
+    }
+    for (int k = 0; k < 3; ++k)
+        add(corner_[(k + 1) % 3][i], corner_[(k + 2) % 3][i], 2 * coefficient * slope[k] * sum);
+}
+
+void AltitudeBlend::add_stiffness_majorant(Majorant& k) const {
+    for (size_t i = 0; i < weight_.size(); ++i)
+        bound_triangle(i, weight_[i], [&](int a, int b, double c) { k.add_difference(a, b, c); });
+}
+
+void AltitudeBlend::add_damping_majorant(Majorant& b) const {
+    if (!damped_) return;
+    for (size_t i = 0; i < weight_.size(); ++i)
+        bound_triangle(i, damping_[i], [&](int a, int c, double rate) { b.add_difference(a, c, rate); });
+}
+
 }  // namespace drape

@@ -27,6 +27,8 @@ public:
     void add_couplings(Couplings& couplings) const override;
     void add_stiffness(In x, BlockMatrix& k) const override;
     void add_damping(In x, In v, double time, BlockMatrix& b) const override;
+    void add_stiffness_majorant(Majorant& k) const override;
+    void add_damping_majorant(Majorant& b) const override;
     bool projects() const override { return true; }
     void project(WeightedPoints& x, const WeightedPoints& before, double h) override;
 
@@ -34,6 +36,10 @@ private:
     // calls visit(triangle, corners, shape and its derivatives) for every triangle with area
     template <class Visit>
     void each_shape(In x, Visit visit) const;
+
+    // calls add(i, j, c) for each edge's c |x_i - x_j|^2 / 2 in the majorant of `coefficient` grad s grad s'
+    template <class Add>
+    void bound_triangle(size_t triangle, double coefficient, Add add) const;
 
     std::vector<int> corner_[3];                   // columns of the State
     std::vector<double> inverse_squared_edge_[3];  // 1 / L_i0^2 of the edge opposite corner i [1/m^2]

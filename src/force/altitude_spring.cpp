@@ -248,6 +248,54 @@ void AltitudeSprings::add_damping(In x, In, double, BlockMatrix& b) const {
     });
 }
 
+// Of add_stiffness's parts only two are ever positive. In tension it is the first, at most k (w.u)^2 for a
+// move u; in compression the edge's turning joins in, which as long as h >= 2/3 h0 and the edge is not
+// shorter than at rest adds no more than k/2 (h0 / L0)^2 |u1 - u2|^2. With the foot on its edge (w.u)^2 is at
+// most |u3 - u1|^2 + |u3 - u2|^2, by Jensen's inequality; with the foot a part e of the edge beyond the end
+// x1, by Cauchy's, (1 + e) |u3 - u1|^2 + e (1 + e) |u1 - u2|^2. Holds in that range, for feet not farther out
+// than at rest by more than a quarter of the edge.
+template <class Add>
+void AltitudeSprings::bound_triangle(Eigen::Index t, const Eigen::Vector3d& coefficient, Add add) const {
+    const TriangleAltitudes& rest = rest_[static_cast<size_t>(t)];
+    // edges are as the reciprocals of altitudes, L_i = D / h_i, and Heron's formula on those gives D
+    const Eigen::Vector3d reciprocal = rest.rest_height.cwiseInverse();
+    const double half = reciprocal.sum() / 2;
+    const double doubled_area =
+        0.5 / std::sqrt(half * (half - reciprocal[0]) * (half - reciprocal[1]) * (half - reciprocal[2]));
+    const Eigen::Vector3d squared = (doubled_area * reciprocal).cwiseAbs2();
+    Eigen::Vector3d pairs = Eigen::Vector3d::Zero();  // of the edge opposite each corner
+    for (int k = 0; k < 3; ++k) {
+        const int x1 = (k + 1) % 3, x2 = (k + 2) % 3;
+        const double foot = (squared[x2] + squared[k] - squared[x1]) / (2 * squared[k]);
+        const double before = 0.25 + std::max(-foot, 0.0), after = 0.25 + std::max(foot - 1, 0.0);
+        const double out = std::max(before, after);
+        Eigen::Vector3d one;
+        one[x2] = 1 + before;
+        one[x1] = 1 + after;
+        one[k] = out * (1 + out) + rest.rest_height[k] * rest.rest_height[k] / (2 * squared[k]);
+        one *= coefficient[k];
+        // of several that could act one does
+        pairs = mode_ == AltitudeMode::all ? Eigen::Vector3d(pairs + one) : pairs.cwiseMax(one);
+    }
+    for (int k = 0; k < 3; ++k) add(faces_((k + 1) % 3, t), faces_((k + 2) % 3, t), pairs[k]);
+}
+
+void AltitudeSprings::add_stiffness_majorant(Majorant& k) const {
+    for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
+        const TriangleAltitudes& rest = rest_[static_cast<size_t>(t)];
+        const Eigen::Vector3d weight =
+            mode_ == AltitudeMode::all ? rest.weight : Eigen::Vector3d::Constant(rest.common_weight);
+        bound_triangle(t, weight.cwiseQuotient(rest.rest_height.cwiseAbs2()),
+                       [&](int i, int j, double c) { k.add_difference(i, j, c); });
+    }
+}
+
+void AltitudeSprings::add_damping_majorant(Majorant& b) const {
+    if (!damped_) return;
+    for (Eigen::Index t = 0; t < faces_.cols(); ++t)
+        bound_triangle(t, damping_.col(t), [&](int i, int j, double c) { b.add_difference(i, j, c); });
+}
+
 int AltitudeSprings::feet_outside(In x) const {
     int outside = 0;
     each(x,

@@ -45,6 +45,8 @@ public:
     void add_couplings(Couplings& couplings) const override;
     void add_stiffness(In x, BlockMatrix& k) const override;
     void add_damping(In x, In v, double time, BlockMatrix& b) const override;
+    void add_stiffness_majorant(Majorant& k) const override;
+    void add_damping_majorant(Majorant& b) const override;
     bool projects() const override { return true; }
     void project(WeightedPoints& x, const WeightedPoints& before, double h) override;
 
@@ -68,6 +70,9 @@ private:
     void each_of(Eigen::Index triangle, In x, Visit visit) const;
     Pull pull_of(In x, Eigen::Index triangle, int corner, double weight, double slack) const;
     Eigen::Vector3d compression_of(In x, Eigen::Index triangle) const;
+    // calls add(i, j, c) for each edge's c |x_i - x_j|^2 / 2 in the majorant of altitudes of `coefficient`
+    template <class Add>
+    void bound_triangle(Eigen::Index triangle, const Eigen::Vector3d& coefficient, Add add) const;
     static Eigen::Vector3d row_sums(In x, const Pull& pull);  // of its stiffness, for x1, x2, x3 [N/m]
 
     Faces faces_;

@@ -22,13 +22,18 @@ public:
     void add_couplings(Couplings& couplings) const override;
     void add_stiffness(In x, BlockMatrix& k) const override;
     void add_damping(In x, In v, double time, BlockMatrix& b) const override;
+    void add_stiffness_majorant(Majorant& k) const override;
+    void add_damping_majorant(Majorant& b) const override;
 
 private:
     struct Hinge {
         int vertex[4];     // the edge's ends, then the corner of each triangle; columns of the State
         double stiffness;  // c [N m]
         double rest_angle;
+        double foot[2], height[2];  // of the corners over the edge, at rest: part of the edge, [m]
     };
+    void add_scaled_majorant(double factor, Majorant& majorant) const;
+
     std::vector<Hinge> hinges_;
     double tau_ = 0;  // [s]
 };

@@ -156,23 +156,32 @@ void BendPlate::add_couplings(Couplings& couplings) const {
                 std::array{first_ + static_cast<int>(i), first_ + column_[static_cast<size_t>(k)]});
 }
 
-// K itself, which is the same for the three coordinates
-void BendPlate::add_scaled(double factor, BlockMatrix& matrix) const {
+// visit(i, j, K_ij) for the lower triangle of K, which is the same for the three coordinates
+template <class Visit>
+void BendPlate::each_entry(Visit visit) const {
     for (size_t i = 0; i + 1 < row_.size(); ++i) {
         for (int k = row_[i]; k < row_[i + 1]; ++k) {
             const int row = static_cast<int>(i), column = column_[static_cast<size_t>(k)];
-            if (column <= row)
-                matrix.add_isotropic(first_ + row, first_ + column, factor * value_[static_cast<size_t>(k)]);
+            if (column <= row) visit(first_ + row, first_ + column, value_[static_cast<size_t>(k)]);
         }
     }
 }
 
 void BendPlate::add_stiffness(In, BlockMatrix& k) const {
-    add_scaled(1, k);
+    each_entry([&](int i, int j, double value) { k.add_isotropic(i, j, value); });
 }
 
 void BendPlate::add_damping(In, In, double, BlockMatrix& b) const {
-    if (tau_ > 0) add_scaled(tau_, b);
+    if (tau_ > 0) each_entry([&](int i, int j, double value) { b.add_isotropic(i, j, tau_ * value); });
+}
+
+// K is constant and isotropic: its own majorant.
+void BendPlate::add_stiffness_majorant(Majorant& k) const {
+    each_entry([&](int i, int j, double value) { k.add_entry(i, j, value); });
+}
+
+void BendPlate::add_damping_majorant(Majorant& b) const {
+    if (tau_ > 0) each_entry([&](int i, int j, double value) { b.add_entry(i, j, tau_ * value); });
 }
 
 }  // namespace drape

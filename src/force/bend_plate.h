@@ -24,11 +24,14 @@ public:
     void add_couplings(Couplings& couplings) const override;
     void add_stiffness(In x, BlockMatrix& k) const override;
     void add_damping(In x, In v, double time, BlockMatrix& b) const override;
+    void add_stiffness_majorant(Majorant& k) const override;
+    void add_damping_majorant(Majorant& b) const override;
 
     int incomplete_triangles() const { return incomplete_; }
 
 private:
-    void add_scaled(double factor, BlockMatrix& matrix) const;
+    template <class Visit>
+    void each_entry(Visit visit) const;
 
     int first_ = 0;
     std::vector<int> row_, column_;  // compressed rows of K, numbered within the cloth

@@ -184,6 +184,15 @@ void EdgeSprings::add_damping(In x, In, double, BlockMatrix& b) const {
     }
 }
 
+// Along the spring K is c, across it c (1 - l0/l) < c at any length.
+void EdgeSprings::add_stiffness_majorant(Majorant& k) const {
+    for (size_t s = 0; s < a_.size(); ++s) k.add_difference(a_[s], b_[s], stiffness_[s]);
+}
+
+void EdgeSprings::add_damping_majorant(Majorant& b) const {
+    for (size_t s = 0; s < a_.size(); ++s) b.add_difference(a_[s], b_[s], damping_[s]);
+}
+
 void EdgeSprings::project(WeightedPoints& x, const WeightedPoints& before, double h) {
     if (!projection_)
         projection_ = std::make_unique<EdgeProjection>(a_, b_, rest_length_, stiffness_, damping_);

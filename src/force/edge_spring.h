@@ -24,6 +24,8 @@ public:
     void add_couplings(Couplings& couplings) const override;
     void add_stiffness(In x, BlockMatrix& k) const override;
     void add_damping(In x, In v, double time, BlockMatrix& b) const override;
+    void add_stiffness_majorant(Majorant& k) const override;
+    void add_damping_majorant(Majorant& b) const override;
     bool projects() const override { return true; }
     void project(WeightedPoints& x, const WeightedPoints& before, double h) override;
 

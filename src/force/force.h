@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "cloth/block_matrix.h"
+#include "cloth/majorant.h"
 #include "cloth/model.h"
 #include "force/wind.h"
 
@@ -89,6 +90,11 @@ public:
         static_cast<void>(time);
         static_cast<void>(b);
     }
+
+    // For implicit methods with one constant matrix: bounds on what add_stiffness and add_damping add. Each
+    // force says how far from rest its own holds.
+    virtual void add_stiffness_majorant(Majorant& k) const { static_cast<void>(k); }
+    virtual void add_damping_majorant(Majorant& b) const { static_cast<void>(b); }
 };
 
 // The world around the cloth.

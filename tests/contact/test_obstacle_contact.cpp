@@ -220,3 +220,32 @@ TEST_CASE("contact's stiffness and damping are the derivatives of its force, on 
         }
     }
 }
+
+TEST_CASE("no contact is stiffer than its majorant or more damped, on every obstacle but a torus",
+          "[contact]") {
+    unsigned seed = 120;
+    for (const auto& [name, obstacle] : every_obstacle()) {
+        if (name.starts_with("torus")) continue;  // hollow inside: its bend is left out
+        const Touching t(obstacle, ++seed);
+        const MovingPose moving = obstacle.motion.at(t.time);
+        Points v = random_points(t.x.cols(), 0.01, seed);  // beside the obstacle's own
+        for (Eigen::Index i = 0; i < v.cols(); ++i) v.col(i) += moving.velocity_at(t.x.col(i));
+        Couplings couplings;
+        t.contact.add_couplings(couplings);
+        for (const double c : {1e-3, 0.1}) {
+            BlockMatrix matrix(t.model, couplings);
+            t.contact.add_stiffness(t.x, v, t.time, matrix);
+            matrix.weigh(1 / c, false);
+            t.contact.add_damping(t.x, v, t.time, matrix);
+            Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(t.x.cols());
+            t.contact.add_majorant(t.x, v, t.time, c, diagonal);
+            Eigen::MatrixXd rest = -dense(matrix, t.x.cols());
+            rest.diagonal() += diagonal.transpose().replicate(3, 1).reshaped();
+            const Eigen::VectorXd modes =
+                Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(rest, Eigen::EigenvaluesOnly).eigenvalues();
+            CAPTURE(name, c);
+            CHECK(diagonal.maxCoeff() > 0);
+            CHECK(modes.minCoeff() > -1e-12 * diagonal.maxCoeff());
+        }
+    }
+}

@@ -67,3 +67,21 @@ TEST_CASE("smooth friction holds mu N once a point slides, and books what it tak
     CHECK(power.dissipated > 0);
     CHECK(power.driven - power.dissipated == Approx(f.cwiseProduct(t.state.v).sum()));
 }
+
+TEST_CASE("smooth friction's potential lies below the parabola of its majorant, at every velocity",
+          "[contact]") {
+    for (const double speed : {1e-5, 1e-4, 1e-2}) {
+        const Pressed t(speed);
+        constexpr double c = 0.01;
+        Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(16);
+        t.friction.add_majorant(t.state.v, c, diagonal);
+        for (const double change : {1e-6, 1e-4, 1e-2, 1.0}) {
+            const Points u = random_points(16, change, 5);
+            const double slope = -t.force(t.state.v).cwiseProduct(u).sum();
+            const double bend = c * diagonal.dot(u.colwise().squaredNorm());
+            CAPTURE(speed, change);
+            CHECK(t.friction.potential(t.state.v + u) <=
+                  t.friction.potential(t.state.v) + slope + bend / 2 * (1 + 1e-9));
+        }
+    }
+}

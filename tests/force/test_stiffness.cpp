@@ -31,6 +31,25 @@ struct Bent {
     }
 };
 
+// A majorant as a matrix of all coordinates.
+Eigen::MatrixXd dense(const Majorant& majorant, Eigen::Index vertices) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * vertices, 3 * vertices);
+    for (const auto& entry : majorant.entries()) {
+        const Eigen::Index i = 3 * entry.row(), j = 3 * entry.col();
+        matrix.block<3, 3>(i, j).diagonal().array() += entry.value();
+        if (i != j) matrix.block<3, 3>(j, i).diagonal().array() += entry.value();
+    }
+    return matrix;
+}
+
+// Of upper - lower, over the size of upper.
+double least_eigenvalue(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& lower) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(upper - lower, Eigen::EigenvaluesOnly)
+               .eigenvalues()
+               .minCoeff() /
+           std::max(upper.norm(), 1e-12);
+}
+
 double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
     return (a - b).norm() / std::max(b.norm(), 1e-3);
 }
@@ -89,6 +108,35 @@ TEST_CASE("no sheet, however crushed, has a stiffness that is not a number", "[f
                 c.force->add_stiffness(x, k);
                 c.force->add_damping(x, bent.v, 0.3, k);
                 CHECK(k.lower().coeffs().allFinite());
+            }
+        }
+    }
+}
+
+TEST_CASE("near rest no force is stiffer than its majorant or more damped, edge springs and plates nowhere",
+          "[force]") {
+    unsigned seed = 80;
+    for (const Fabric& fabric : every_fabric()) {
+        const Model model = model_of(jittered_square(3, "alternating", 0.2), fabric);
+        const Points& rest = model.cloths[0].mesh.rest;
+        for (const Case& c : every_force(model.cloths[0])) {
+            Majorant stiffness, damping;
+            c.force->add_stiffness_majorant(stiffness);
+            c.force->add_damping_majorant(damping);
+            const Eigen::MatrixXd most_k = dense(stiffness, rest.cols()),
+                                  most_b = dense(damping, rest.cols());
+            Couplings couplings;
+            c.force->add_couplings(couplings);
+            const bool anywhere = c.name == "edge springs" ||
+                                  (c.name == "bending" && fabric.bending_kind != BendingKind::hinge);
+            for (const double amount : {0.0, 0.01, 0.02, anywhere ? 1.0 : 0.03}) {
+                const Points x = rest + random_points(rest.cols(), amount, ++seed);
+                BlockMatrix k(model, couplings), b(model, couplings);
+                c.force->add_stiffness(x, k);
+                c.force->add_damping(x, random_points(rest.cols(), 1, seed), 0.3, b);
+                CAPTURE(c.name, int(fabric.altitude), int(fabric.bending_kind), amount);
+                CHECK(least_eigenvalue(most_k, dense(k, rest.cols())) > -1e-12);
+                CHECK(least_eigenvalue(most_b, dense(b, rest.cols())) > -1e-12);
             }
         }
     }
