@@ -10,6 +10,8 @@ namespace {
 
 class BackwardEuler final : public StagedIntegrator {
 public:
+    using StagedIntegrator::StagedIntegrator;
+
     void begin(Dynamics& dynamics, State& state, double) override {
         dynamics.acceleration(state.x, state.v, state.time, a_);
         dynamics.hold_friction();
@@ -26,8 +28,12 @@ private:
 
 }  // namespace
 
+std::unique_ptr<Integrator> make_backward_euler_with(MakeSolver make) {
+    return std::make_unique<BackwardEuler>(make);
+}
+
 std::unique_ptr<Integrator> make_backward_euler() {
-    return std::make_unique<BackwardEuler>();
+    return make_backward_euler_with(make_newton_solver);
 }
 
 }  // namespace drape

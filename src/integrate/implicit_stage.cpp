@@ -7,18 +7,16 @@ namespace drape {
 
 namespace {
 
-constexpr int most_iterations = 200, most_halvings = 30, most_leaps = 12, most_failed_leaps = 8,
-              most_friction_rounds = 4;
-constexpr double enough = 1e-4;  // of the descent that the slope promises (Armijo)
-// Far below any method's own error; where rounding ends Newton's progress earlier, the second will do.
+constexpr int most_halvings = 30, most_friction_rounds = 4;
+constexpr double enough = 1e-4;                             // of the descent that the slope promises (Armijo)
 constexpr double fine_length = 1e-10, fine_part = 1e-7;     // [m]; of what a vertex moves in a stage
 constexpr double coarse_length = 1e-7, coarse_part = 1e-4;  // the same
 
-double largest(In move) {
+}  // namespace
+
+double largest_move(In move) {
     return std::sqrt(move.colwise().squaredNorm().maxCoeff());
 }
-
-}  // namespace
 
 double StageSolver::typical_move(const Stage& stage) const {
     return stage.c * std::sqrt(now_.v.colwise().squaredNorm().mean());
@@ -67,7 +65,7 @@ bool StageSolver::start(const Stage& stage, const State& state) {
         if (dynamics_.model().inverse_mass[i] == 0) flight.col(i).setZero();
     double part = 1;
     if (Contact* contact = dynamics_.contact()) {
-        contact->cover(placed.x, stage.time, largest(flight));
+        contact->cover(placed.x, stage.time, largest_move(flight));
         part = contact->clear_part(placed.x, flight, stage.time);
     }
     now_.x = placed.x;
@@ -86,33 +84,8 @@ bool StageSolver::is_better(const Points& direction, double length) const {
     return change <= noise && -next_.residual.cwiseProduct(direction).sum() <= -(1 - 2 * enough) * slope;
 }
 
-// Moves next_ by a Newton step of its own, no farther than `most`. A stiff spring keeps its length along a
-// curve: a straight step leaves the valley of low energy, and this leads back to its floor farther on.
-bool StageSolver::leap(const Stage& stage, double most) {
-    const Points direction = newton_direction(stage, next_);
-    if (!(largest(direction) < most)) return false;
-    if (Contact* contact = dynamics_.contact()) {
-        contact->cover(next_.x, stage.time, most);
-        if (contact->clear_part(next_.x, direction, stage.time) < 1) return false;
-    }
-    next_.x += direction;
-    return evaluate(stage, next_);
-}
-
-// Solves with the matrix at the trial; not finite where there is none.
-Points StageSolver::newton_direction(const Stage& stage, const Trial& at) {
-    ++iterations_;
-    const auto factorise = [&](StepMatrix::Curvature curvature) {
-        return matrix_.factorise(dynamics_, at.x, at.v, stage.time, stage.c, curvature);
-    };
-    cut_ = cut_ || !factorise(StepMatrix::Curvature::exact);
-    if (cut_ && !factorise(StepMatrix::Curvature::semidefinite)) return Points::Constant(3, at.x.cols(), NAN);
-    return matrix_.solve(at.residual);
-}
-
-// Sets `length` to how much of the direction was gone; false if no part of it lowers Phi.
 bool StageSolver::search(const Stage& stage, const Points& direction, double& length) {
-    const double move = largest(direction);
+    const double move = largest_move(direction);
     length = 1;
     if (Contact* contact = dynamics_.contact()) {
         contact->cover(now_.x, stage.time, move);
@@ -121,46 +94,34 @@ bool StageSolver::search(const Stage& stage, const Points& direction, double& le
     for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
         next_.x = now_.x + length * direction;
         bool possible = evaluate(stage, next_);
-        const int leaps = length == 1 && patience_ > 0 ? most_leaps : 0;
-        for (int leaped = 0; possible; ++leaped) {
+        for (int tried = 0; possible; ++tried) {
             if (is_better(direction, length)) {
                 std::swap(now_, next_);
                 return true;
             }
-            possible = leaped < leaps && leap(stage, move);
+            possible = length == 1 && leap(stage, move, tried);
         }
-        if (leaps > 0) --patience_;
     }
     return false;
 }
 
-StageSolver::Outcome StageSolver::improve(const Stage& stage) {
-    const double typical = typical_move(stage), fine = fine_length + fine_part * typical,
-                 coarse = coarse_length + coarse_part * typical;
-    const Points free_fall = now_.residual * dynamics_.model().inverse_mass.asDiagonal();
-    if (stage.c * stage.c * largest(free_fall) < fine) return Outcome::converged;
+double StageSolver::fine_move(const Stage& stage) const {
+    return fine_length + fine_part * typical_move(stage);
+}
 
-    const Points direction = newton_direction(stage, now_);
-    const double move = largest(direction);
-    if (!std::isfinite(move)) return Outcome::stuck;
-    double length = 0;
-    if (!search(stage, direction, length)) {
-        if (move < coarse) return Outcome::converged;
-        if (cut_) return Outcome::stuck;
-        cut_ = true;
-        return Outcome::moved;
-    }
-    const bool stalled = move < coarse && move > last_move_ / 2;
-    last_move_ = move;
-    if (length < 1) return Outcome::moved;
-    cut_ = false;
-    return move < fine || stalled ? Outcome::converged : Outcome::moved;
+double StageSolver::coarse_move(const Stage& stage) const {
+    return coarse_length + coarse_part * typical_move(stage);
+}
+
+// Elastic forces only hold vertices back: none goes farther than it would freely.
+bool StageSolver::is_settled(const Stage& stage, double way) const {
+    const Points free_fall = now_.residual * dynamics_.model().inverse_mass.asDiagonal();
+    return stage.c * stage.c * largest_move(free_fall) < way;
 }
 
 bool StageSolver::settle(const Stage& stage) {
-    last_move_ = INFINITY;
-    for (int i = 0; i < most_iterations; ++i) {
-        const Outcome outcome = improve(stage);
+    for (int i = 0; i < most_rounds(); ++i) {
+        const Outcome outcome = improve(stage, i);
         if (outcome != Outcome::moved) return outcome == Outcome::converged;
     }
     return false;
@@ -181,16 +142,15 @@ void StageSolver::first_acceleration(const State& state, double h, Points& a) {
 }
 
 bool StageSolver::solve(const Stage& stage, State& state) {
-    cut_ = false;
-    patience_ = most_failed_leaps;
+    begin(stage);
     if (!start(stage, state)) return false;
     for (int round = 0; round < most_friction_rounds; ++round) {
         const Points before = now_.x;
         if (!settle(stage)) return false;
         dynamics_.acceleration_with_friction(now_.x, now_.v, stage.time, scratch_);
         const bool held = dynamics_.friction().holds_any();
-        const double moved = largest(now_.x - before);
-        if (round > 0 && moved < coarse_length + coarse_part * typical_move(stage)) break;
+        const double moved = largest_move(now_.x - before);
+        if (round > 0 && moved < coarse_move(stage)) break;
         if (round + 1 == most_friction_rounds) break;
         dynamics_.hold_friction();
         if (!held && !dynamics_.friction().holds_any()) break;

@@ -3,13 +3,15 @@
 // pins at their places at t. Backward Euler, BDF2 and both stages of TR-BDF2 are such stages. Without
 // velocities in the forces the solution is a minimum of
 //   Phi(x) = |x - xp - c vp|^2_M / (2 c^2) + E(x, t)
-// and friction adds c times its potential. Phi is lowered by Newton's method with a line search (Armijo):
-// with the exact Hessian where that is positive definite, else with each element's negative eigenvalues cut
-// off. The work of forces that have no potential (damping, wind) is taken along the line by the trapezoid
-// rule. No step goes through an obstacle: each contact point keeps a tenth of its gap.
+// and friction adds c times its potential. Phi is lowered round by round along directions that each way to
+// solve chooses (newton_stage.h, projective_dynamics.cpp), with a line search (Armijo). The work of forces
+// that have no potential (damping, wind) is taken along the line by the trapezoid rule. No step goes through
+// an obstacle: each contact point keeps a tenth of its gap.
 #pragma once
 
-#include "integrate/step_matrix.h"
+#include <memory>
+
+#include "integrate/method.h"
 
 namespace drape {
 
@@ -21,7 +23,8 @@ struct Stage {
 
 class StageSolver {
 public:
-    explicit StageSolver(Dynamics& dynamics) : dynamics_(dynamics), matrix_(dynamics) {}
+    explicit StageSolver(Dynamics& dynamics) : dynamics_(dynamics) {}
+    virtual ~StageSolver() = default;
 
     // a at the start of steps of h, friction included
     void first_acceleration(const State& state, double h, Points& a);
@@ -33,9 +36,9 @@ public:
     // (v - vp) / c of the last solution: unlike a(x, v, t) it does not magnify what error the solution has
     const Points& acceleration() const { return acceleration_; }
 
-    SolverWork work() const { return {matrix_.factorisations(), iterations_}; }
+    virtual SolverWork work() const = 0;
 
-private:
+protected:
     struct Trial {
         Points x, v;
         double potential = 0;  // Phi [J]
@@ -44,25 +47,40 @@ private:
     };
     bool evaluate(const Stage& stage, Trial& trial);        // fills all but x; false where x is not possible
     double rise(const Trial& from, const Trial& to) const;  // of Phi, less the work of driving forces [J]
-    bool start(const Stage& stage, const State& state);
-    enum class Outcome { moved, converged, stuck };
-    Outcome improve(const Stage& stage);
-    bool is_better(const Points& direction, double length) const;
-    Points newton_direction(const Stage& stage, const Trial& at);
-    bool leap(const Stage& stage, double most);
+    // Moves now_ by as much of the direction as lowers Phi enough, and sets `length` to how much that was;
+    // next_ is then where it was. False if no part of it does.
     bool search(const Stage& stage, const Points& direction, double& length);
-    bool settle(const Stage& stage);  // Newton's method under the normal forces that friction holds
-    double typical_move(const Stage& stage) const;  // of a vertex, RMS [m]
+    // Nothing that is left to do moves a vertex by more than `way`.
+    bool is_settled(const Stage& stage, double way) const;
+    // Far below any method's own error; where rounding ends the progress earlier, the second will do [m].
+    double fine_move(const Stage& stage) const;
+    double coarse_move(const Stage& stage) const;
 
     Dynamics& dynamics_;
-    StepMatrix matrix_;
     Trial now_, next_;
+
+    enum class Outcome { moved, converged, stuck };
+
+private:
+    // What a way to solve is: before a stage; one round, the first being number 0, which takes now_ to
+    // something better; how many rounds it may take.
+    virtual void begin(const Stage& stage) = 0;
+    virtual Outcome improve(const Stage& stage, int round) = 0;
+    virtual int most_rounds() const = 0;
+    // Moves next_, where a whole step led that was not good enough, to something that may be; false if there
+    // is nothing. `tried`: how often it did for this step.
+    virtual bool leap(const Stage& stage, double most, int tried) = 0;
+
+    bool start(const Stage& stage, const State& state);
+    bool is_better(const Points& direction, double length) const;
+    bool settle(const Stage& stage);                // rounds under the normal forces that friction holds
+    double typical_move(const Stage& stage) const;  // of a vertex, RMS [m]
+
     Points pin_velocity_, acceleration_, scratch_;
-    double last_move_ = 0;  // of the last Newton step [m]
-    bool cut_ = false;      // the exact Hessian was indefinite; until a full step succeeds
-    int patience_ = 0;      // leaps that may still fail
-    long iterations_ = 0;
 };
+
+// The longest way of any vertex [m].
+double largest_move(In move);
 
 // x and v by a step h of TR-BDF2; `a` is the acceleration at the start, and at the end on return.
 bool tr_bdf2_step(Dynamics& dynamics, StageSolver& solver, State& state, Points& a, double h);
