@@ -13,7 +13,7 @@ _drape() {
         --cache | --replay | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
         --method)
             mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada srkn4 srkn6 rk4 \
-                embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2" -- "$word")
+                embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2 projective_dynamics" -- "$word")
             return
             ;;
         --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget) return ;;

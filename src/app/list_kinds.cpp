@@ -38,7 +38,7 @@ void list_methods() {
         const std::string damped = method.conservative_only() ? "refused" : cat(method.order_with_damping);
         row("", cat("order ", method.order, ", with damping or contact ", damped, "; ", method.sweeps,
                     method.sweeps == 1 ? " force sweep " : " force sweeps ",
-                    method.is_implicit() ? "a Newton iteration" : "a step",
+                    method.is_implicit() ? "an iteration" : "a step",
                     method.projects_springs ? " and one of projections" : ""));
         row("", cat("stable: ", method.limit));
         row("", cat("keeps: ", method.conserves));

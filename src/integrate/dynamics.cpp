@@ -155,6 +155,12 @@ void Dynamics::add_damping(In x, In v, double time, BlockMatrix& b) const {
     if (contact_) contact_->add_damping(x, v, time, b);
 }
 
+void Dynamics::add_contact_majorant(In x, In v, double time, double c, Eigen::VectorXd& diagonal) const {
+    if (!contact_) return;
+    contact_->add_majorant(x, v, time, c, diagonal);
+    friction_.add_majorant(v, c, diagonal);
+}
+
 StepBound Dynamics::bound(In x, ForceShare share) const {
     StepBound bound(model_.vertices());
     for (const ActiveForce& active : forces_)

@@ -75,6 +75,9 @@ public:
     Couplings couplings() const;
     void add_stiffness(In x, In v, double time, BlockMatrix& k) const;
     void add_damping(In x, In v, double time, BlockMatrix& b) const;
+    // For those with a constant matrix: what bounds contact's and friction's K + B / c at this moment, per
+    // vertex and the same for the three coordinates.
+    void add_contact_majorant(In x, In v, double time, double c, Eigen::VectorXd& diagonal) const;
 
     const Model& model() const { return model_; }
     const std::vector<ActiveForce>& forces() const { return forces_; }

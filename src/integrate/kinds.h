@@ -17,6 +17,7 @@ std::unique_ptr<Integrator> make_backward_euler_1();
 std::unique_ptr<Integrator> make_backward_euler();
 std::unique_ptr<Integrator> make_bdf2();
 std::unique_ptr<Integrator> make_tr_bdf2();
+std::unique_ptr<Integrator> make_projective_dynamics();
 
 double symplectic_euler_longest_step(const Spectrum&);
 double verlet_longest_step(const Spectrum&);

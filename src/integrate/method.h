@@ -47,7 +47,7 @@ struct Method {
     int order;                   // with conservative forces
     int order_with_damping;      // with damping, contact or anything else that depends on velocity or time;
                                  // 0: the method is for scenes without
-    int sweeps;                  // force evaluations a step; for implicit methods, a Newton iteration
+    int sweeps;                  // force evaluations a step; for implicit methods, an iteration
     // that is stable for every mode within the spectrum [s]; infinite if every step is
     double (*longest_step)(const Spectrum&);
     std::unique_ptr<Integrator> (*make)();

@@ -133,6 +133,16 @@ constexpr std::array table{
            .sweeps = 4,
            .longest_step = unlimited_step,
            .make = make_tr_bdf2},
+    Method{.name = "projective_dynamics",
+           .summary = "backward Euler by rounds with one constant matrix: long steps of soft cloth",
+           .limit = "none: what a thousand rounds do not solve is tried again at half the step",
+           .conserves = "as backward Euler, but for what its rounds leave unsolved: some thousandths",
+           .avoid = "whenever accuracy counts; with stiff springs: rounds grow with h omega",
+           .order = 1,
+           .order_with_damping = 1,
+           .sweeps = 2,
+           .longest_step = unlimited_step,
+           .make = make_projective_dynamics},
 };
 
 }  // namespace

@@ -1,37 +1,18 @@
 // [accuracy] and [air].
 
-#include <algorithm>
-#include <array>
-
 #include "integrate/method.h"
 #include "scene/keys.h"
 #include "scene/read_parts.h"
 
 namespace drape {
 
-namespace {
-
-// the methods of the command contract that come after the first ones
-constexpr std::array<std::string_view, 10> contract_methods{
-    "srkn4",          "srkn6", "rk4",     "embedded_rk", "backward_euler_1",
-    "backward_euler", "bdf2",  "tr_bdf2", "xpbd",        "projective_dynamics"};
-
-}  // namespace
-
 AccuracyDescription read_accuracy(const Value& value) {
     const Keys keys(value, "accuracy", {"method", "step", "tolerance", "budget"});
     AccuracyDescription accuracy;
     accuracy.place = keys.place();
     if (const Value* method = keys.find("method")) {
-        const std::string& word = as_text(*method, "method");
         std::vector<std::string> known = names_of(methods());
         known.insert(known.begin(), "auto");
-        const bool here = std::find(known.begin(), known.end(), word) != known.end();
-        const bool contracted =
-            std::find(contract_methods.begin(), contract_methods.end(), word) != contract_methods.end();
-        if (contracted && !here)
-            fail(method->place, "method ", quoted(word), ": this version of drape does not have it yet (",
-                 joined(known), ")");
         accuracy.method = as_word(*method, "method", known);
         accuracy.place = method->place;
     }

@@ -39,14 +39,6 @@ TEST_CASE("a budget may be asked for, with a method but not with a step or a tol
           "scene.toml:6:1: budget chooses step and error by itself (leave out tolerance, or budget)");
 }
 
-TEST_CASE("accuracy that this version cannot give is refused, never ignored", "[scene]") {
-    for (const char* method : {"projective_dynamics"}) {
-        CAPTURE(method);
-        CHECK(error_of(with_cloth("[accuracy]\nmethod = \"" + std::string(method) + "\"\n"))
-                  .find("this version of drape does not have it yet (auto, ") != std::string::npos);
-    }
-}
-
 TEST_CASE("air is still unless a wind is given", "[scene]") {
     CHECK_FALSE(scene_of(with_cloth("[air]\ndrag = 0.1\n")).air.aerodynamic);
     CHECK(scene_of(with_cloth("[air]\ndrag = 0.1\n")).air.drag == 0.1);
