@@ -27,7 +27,9 @@ public:
 
 private:
     BlockMatrix matrix_;
-    // the vertices are numbered for a sparse factor already
+    // The vertices are numbered for a sparse factor already. CHOLMOD's simplicial factorisation of the same
+    // matrices runs at 0.8 to 1.2 of this one's speed (README.md); its supernodal one goes through BLAS,
+    // whose bits depend on the machine.
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
     Points stiff_velocity_, solution_;
     Eigen::VectorXd free_;
