@@ -66,11 +66,7 @@ TEST_CASE("a frame of xpbd follows from its start alone, through contact too", "
     setup.method = "xpbd";
     Simulation whole(setup), resumed(setup);
     for (int frame = 0; frame < 6; ++frame) REQUIRE(whole.advance().trouble.empty());
-    ByteWriter saved;
-    whole.save(saved);
-    const std::string bytes = std::move(saved).bytes();
-    ByteReader in(bytes);
-    REQUIRE(resumed.restore(in));
+    go_on_from(whole, resumed);
     const FrameReport report = whole.advance();
     CHECK(report.contacts > 0);
     CHECK(resumed.advance().hash == report.hash);
