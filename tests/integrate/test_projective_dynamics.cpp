@@ -28,7 +28,7 @@ TEST_CASE("projective dynamics goes where backward Euler goes, with one factoris
         integrator->begin(dynamics, state, h);
         for (int i = 0; i < steps; ++i) REQUIRE(integrator->step(dynamics, state, h));
         CAPTURE(h, integrator->work().iterations, distance(exact, finer));
-        CHECK(distance(state, exact) < 0.03 * distance(exact, finer));
+        CHECK(distance(state, exact) < 0.01 * distance(exact, finer));  // measured 0.3e-3 to 3.1e-3
         CHECK(integrator->work().factorisations == 1);
     }
 }
