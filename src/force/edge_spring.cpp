@@ -39,18 +39,27 @@ struct Differences {
     }
 };
 
+// Springs come sorted by their first end: its force is kept at hand while it stays the same, or every spring
+// would wait for the one before to have stored it.
 inline void scatter(const Columns& s, const Differences& d, const double* pull, double* f, int from,
                     int count) {
-    for (int i = 0; i < count; ++i) {
-        double* fa = f + 3 * s.a[from + i];
-        double* fb = f + 3 * s.b[from + i];
-        const double x = pull[i] * d.x[i], y = pull[i] * d.y[i], z = pull[i] * d.z[i];
-        fa[0] -= x;
-        fa[1] -= y;
-        fa[2] -= z;
-        fb[0] += x;
-        fb[1] += y;
-        fb[2] += z;
+    for (int i = 0; i < count;) {
+        const int a = s.a[from + i];
+        double* fa = f + 3 * a;
+        double ax = fa[0], ay = fa[1], az = fa[2];
+        do {
+            double* fb = f + 3 * s.b[from + i];
+            const double x = pull[i] * d.x[i], y = pull[i] * d.y[i], z = pull[i] * d.z[i];
+            ax -= x;
+            ay -= y;
+            az -= z;
+            fb[0] += x;
+            fb[1] += y;
+            fb[2] += z;
+        } while (++i < count && s.a[from + i] == a);
+        fa[0] = ax;
+        fa[1] = ay;
+        fa[2] = az;
     }
 }
 

@@ -7,18 +7,18 @@ namespace {
 
 class Gravity final : public Force {
 public:
-    Gravity(const Cloth& cloth, const Vec3& g) : first_(cloth.first), mass_(cloth.mass), g_(g) {}
+    Gravity(const Cloth& cloth, const Vec3& g)
+        : first_(cloth.first), mass_(cloth.mass), g_(g), weight_(g * cloth.mass.transpose()) {}
 
     double energy(In x) const override { return -g_.dot(x.middleCols(first_, mass_.size()) * mass_); }
-    void add_conservative(In, Out f) const override {
-        f.middleCols(first_, mass_.size()) += g_ * mass_.transpose();
-    }
+    void add_conservative(In, Out f) const override { f.middleCols(first_, mass_.size()) += weight_; }
     void add_bound(In, StepBound&) const override {}  // constant force, no stiffness
 
 private:
     int first_;
     Eigen::VectorXd mass_;
     Vec3 g_;
+    Points weight_;  // m g of every vertex [N]
 };
 
 }  // namespace

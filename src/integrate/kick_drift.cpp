@@ -1,14 +1,24 @@
+#include "base/wide.h"
 #include "integrate/kinds.h"
 
 namespace drape {
 
+namespace {
+
+// y += h x
+DRAPE_WIDE void add_scaled(double* y, double h, const double* x, Eigen::Index values) {
+    for (Eigen::Index i = 0; i < values; ++i) y[i] += h * x[i];
+}
+
+}  // namespace
+
 void kick(Dynamics& dynamics, State& state, const Points& a, double h) {
-    state.v += h * a;
+    add_scaled(state.v.data(), h, a.data(), a.size());
     dynamics.rub(state, h);
 }
 
 void drift(Dynamics& dynamics, State& state, double h) {
-    state.x += h * state.v;
+    add_scaled(state.x.data(), h, state.v.data(), state.v.size());
     state.time += h;
     place_pins(dynamics.model(), state);
 }
