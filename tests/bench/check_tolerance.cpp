@@ -18,10 +18,10 @@ namespace drape::bench {
 
 namespace {
 
-constexpr double most_reference_cpu = 100;  // for SUNDIALS [s]
-constexpr double most_ratio = 4;            // of a run's cost over the cheapest fixed setting's, wanted
-constexpr double brief = 2;                 // runs shorter than this are timed again [s]
-constexpr double clear_of_bar = 3;          // times the reference's bar: below, a true error is not known
+constexpr double wanted_bar = 0.1;  // of the tolerance, of the reference
+constexpr double most_ratio = 4;    // of a run's cost over the cheapest fixed setting's, wanted
+constexpr double brief = 2;         // runs shorter than this are timed again [s]
+constexpr double clear_of_bar = 3;  // times the reference's bar: below, a true error is not known
 
 struct Checked {
     const ToleranceScene* scene = nullptr;
@@ -78,19 +78,30 @@ Checked check(const ToleranceScene& scene, bool ladder) {
     Checked checked;
     checked.scene = &scene;
     checked.run = deliver(setup, {.tolerance = scene.tolerance});
-    checked.truth = true_positions(setup, most_reference_cpu);
+    checked.frames = frames_above_floor(setup, checked.run.error, checked.run.x.size());
+    checked.truth = true_positions(setup, checked.frames, wanted_bar * scene.tolerance);
     for (size_t k = 0; k < checked.run.x.size(); ++k)
         checked.error.push_back(distance_between(checked.run.x[k], checked.truth.x[k]).rms);
-    checked.frames = frames_above_floor(setup, checked.run.error, checked.run.x.size());
     if (!ladder || !checked.delivered() || checked.frames == 0) return checked;
-    checked.fixed = cheapest_fixed_setting(setup, checked.truth.x, checked.frames, scene.tolerance,
-                                           1.5 * checked.run.cpu);
+    checked.fixed =
+        cheapest_fixed_setting(setup, checked.truth.x, checked.frames, scene.tolerance, checked.run.cpu);
     if (!checked.fixed) return checked;
     if (checked.run.cpu < brief) {
         checked.run.cpu = std::min(checked.run.cpu, deliver(setup, {.tolerance = scene.tolerance}).cpu);
         checked.fixed->cpu = std::min(checked.fixed->cpu, time_again(setup, *checked.fixed));
     }
     return checked;
+}
+
+void print_frames(const Checked& checked) {
+    for (size_t k = 0; k < checked.error.size(); ++k)
+        std::printf("  frame %2zu%s: stated %s, true %s, bar %s\n", k + 1,
+                    k < checked.frames ? "" : " (below the floor)", figure(checked.run.stated[k], 2).c_str(),
+                    figure(checked.error[k], 2).c_str(), figure(checked.truth.bar[k], 2).c_str());
+    for (const PassRecord& pass : checked.run.error.passes)
+        std::printf("  pass %s, %s: %ld steps, error %s, %s CPU s\n", pass.method.c_str(),
+                    pass.purpose.c_str(), pass.steps, figure(pass.error_rms, 2).c_str(),
+                    figure(pass.cpu_seconds).c_str());
 }
 
 std::vector<std::string> row(const Checked& checked) {
@@ -115,9 +126,10 @@ std::vector<std::string> row(const Checked& checked) {
 int run(int argc, char** argv) {
     CLI::App app("whether runs to a tolerance keep it, and what that costs");
     std::vector<std::string> only;
-    bool no_ladder = false, markdown = false;
+    bool no_ladder = false, markdown = false, frames = false;
     app.add_option("--only", only, "these scenes alone");
     app.add_flag("--no-ladder", no_ladder, "do not look for the cheapest fixed setting");
+    app.add_flag("--frames", frames, "every frame's errors and every pass");
     app.add_flag("--markdown", markdown, "the table as Markdown");
     CLI11_PARSE(app, argc, argv);
 
@@ -132,6 +144,7 @@ int run(int argc, char** argv) {
         if (!only.empty() && std::find(only.begin(), only.end(), scene.name) == only.end()) continue;
         const Checked found = check(scene, !no_ladder);
         std::printf("%s: %s; reference %s\n", scene.name, found.verdict().c_str(), found.truth.how.c_str());
+        if (frames) print_frames(found);
         std::fflush(stdout);
         ++checked;
         held += found.holds() ? 1 : 0;

@@ -14,13 +14,9 @@ struct Solver {
     SundialsRun* run;
 };
 constexpr std::array solvers{
-    Solver{"SUNDIALS ERK 3(2)", run_bogacki_shampine},
-    Solver{"SUNDIALS ERK 5(4)", run_dormand_prince},
-    Solver{"SUNDIALS ERK 6(5)", run_verner},
-    Solver{"SUNDIALS ERK 8(7)", run_fehlberg_8},
-    Solver{"SUNDIALS Adams", run_adams},
-    Solver{"SUNDIALS BDF, KLU", run_bdf_direct},
-    Solver{"SUNDIALS BDF, GMRES", run_bdf_krylov},
+    Solver{"SUNDIALS ERK 3(2)", run_bogacki_shampine}, Solver{"SUNDIALS ERK 5(4)", run_dormand_prince},
+    Solver{"SUNDIALS ERK 8(7)", run_fehlberg_8},       Solver{"SUNDIALS Adams", run_adams},
+    Solver{"SUNDIALS BDF, KLU", run_bdf_direct},       Solver{"SUNDIALS BDF, GMRES", run_bdf_krylov},
 };
 constexpr double loosest = 1e-3, tightest = 1e-10;
 constexpr int rungs_a_decade = 2;

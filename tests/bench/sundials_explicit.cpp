@@ -35,10 +35,6 @@ Outcome run_dormand_prince(const SpringSystem& system, double time, double toler
     return run_pair(ARKODE_DORMAND_PRINCE_7_4_5, system, time, tolerance, most_cpu);
 }
 
-Outcome run_verner(const SpringSystem& system, double time, double tolerance, double most_cpu) {
-    return run_pair(ARKODE_VERNER_8_5_6, system, time, tolerance, most_cpu);
-}
-
 Outcome run_fehlberg_8(const SpringSystem& system, double time, double tolerance, double most_cpu) {
     return run_pair(ARKODE_FEHLBERG_13_7_8, system, time, tolerance, most_cpu);
 }

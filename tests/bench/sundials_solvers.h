@@ -11,7 +11,7 @@ namespace drape::bench {
 using SundialsRun = Outcome(const SpringSystem& system, double time, double tolerance, double most_cpu);
 
 // Explicit pairs of ARKODE's ERKStep.
-SundialsRun run_bogacki_shampine, run_dormand_prince, run_verner, run_fehlberg_8;
+SundialsRun run_bogacki_shampine, run_dormand_prince, run_fehlberg_8;
 
 // CVODE: Adams with functional iteration; BDF with Newton's, its systems solved directly on the exact sparse
 // Jacobian (KLU), or by GMRES on exact Jacobian-vector products.

@@ -1,5 +1,5 @@
-// Where cloth truly goes, as far as can be found out without the methods that are checked: by SUNDIALS, or
-// where there is contact by a far finer run of the classical Runge-Kutta method.
+// Where cloth truly goes, as far as can be found out without the methods that are checked: by SUNDIALS, or by
+// ever finer runs of the classical Runge-Kutta method where there is contact, or a force that jumps.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct TruePositions {
     std::string how;
 };
 
-// `most_cpu` [s] for SUNDIALS.
-TruePositions true_positions(const Setup& setup, double most_cpu);
+// The bar is to be `wanted` [m] at most in the first `frames` frames, as far as some minutes pay for it.
+TruePositions true_positions(const Setup& setup, size_t frames, double wanted);
 
 }  // namespace drape::bench
