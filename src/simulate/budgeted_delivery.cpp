@@ -12,23 +12,28 @@ namespace {
 
 // What a second pass beside the first adds to the wall time of both: little on a core of its own.
 constexpr double beside_on_own_core = 1.1, beside_on_same_core = 1.9;
-constexpr int trial_frames = 2;
+constexpr int trial_steps = 100;
 constexpr double spare_before_contact = 0.3, spare_before_first_picture = 0.5;
 // More steps than so many times the stable ones gain nothing that round-off leaves.
 constexpr double most_refinement = 256;
 
-// Wall seconds that a step of the way takes, by its first frames.
-double measured_step(const Way& way, const Setup& setup, int frames, const Budget& budget) {
-    Simulation trial(pass_along(way, setup, 1));
-    const double began = budget.clock();
-    double steps = 0;
-    for (int k = 0; k < std::min(trial_frames, frames); ++k)
-        steps += static_cast<double>(trial.advance().planned_steps);
-    return (budget.clock() - began) / std::max(steps, 1.0);
-}
+struct Look {
+    double step_seconds = 0;  // wall, of one pass [s]
+    double steps = 0;         // stable ones, of the whole run
+};
 
-double stable_steps(const Way& way, const Setup& setup, int frames) {
-    return frames / setup.frame_rate / Simulation(pass_along(way, setup, 1)).step();
+// What a step of the way takes, by a few at the start of the scene.
+Look look_at(const Way& way, Setup setup, int frames, const Budget& budget) {
+    setup = pass_along(way, std::move(setup), 1);
+    const double step = Simulation(setup).step();
+    Look look;
+    look.steps = frames / setup.frame_rate / step;
+    setup.frame_rate = 1 / (trial_steps * step);
+    Simulation trial(std::move(setup));
+    const double began = budget.clock();
+    const auto steps = static_cast<double>(trial.advance().steps);
+    look.step_seconds = (budget.clock() - began) / steps;
+    return look;
 }
 
 // The usual way if the budget has time for its longest step, one of higher order if it has time for many
@@ -37,21 +42,17 @@ Approach approach_to(const Setup& setup, const DeliveryOptions& options, int fra
     const Ways ways = ways_within_budget(setup);
     const Budget& budget = *options.budget;
     const double beside = options.threads > 1 ? beside_on_own_core : beside_on_same_core;
-    Approach approach{ways.usual, options.estimate, measured_step(ways.usual, setup, frames, budget)};
-    const double once = approach.step_seconds * stable_steps(ways.usual, setup, frames);
-    const double left = budget.seconds - budget.clock();
+    const Look usual = look_at(ways.usual, setup, frames, budget);
+    const double once = usual.steps * usual.step_seconds, left = budget.seconds - budget.clock();
+    Approach approach{ways.usual, options.estimate, usual.step_seconds};
     if (ways.rough && left < once) {
         approach.way = *ways.rough;
-        approach.step_seconds = measured_step(*ways.rough, setup, frames, budget);
+        approach.step_seconds = look_at(*ways.rough, setup, frames, budget).step_seconds;
     } else if (left < beside * once) {
         approach.estimate = false;
-    } else if (ways.fine) {
-        const double ratio = ways.fine->seconds / ways.usual.seconds;
-        if (left > beside * once * seconds_to_judge(*ways.fine) / ways.usual.seconds) {
-            approach.way = *ways.fine;
-            approach.step_seconds *=
-                ratio * stable_steps(ways.usual, setup, frames) / stable_steps(*ways.fine, setup, frames);
-        }
+    } else if (ways.fine && left > beside * once * seconds_to_judge(*ways.fine) / ways.usual.seconds) {
+        approach.way = *ways.fine;
+        approach.step_seconds = look_at(*ways.fine, setup, frames, budget).step_seconds;
     }
     if (approach.estimate) approach.step_seconds *= beside;
     return approach;

@@ -16,6 +16,8 @@ constexpr double aim = 0.6;    // of the tolerance, when the next pass's steps a
 constexpr double idle = 0.75;  // a pass whose error is more than this of the last one's was idle
 constexpr int most_idle = 2, most_failed = 3, most_passes = 12;
 constexpr double least_order = 0.5;
+constexpr double order_in_contact = 1;  // at most: points come and go, friction sticks and slips
+constexpr double beyond_floor = 4;  // times the steps that met the predictable frames are spent on the others
 
 }  // namespace
 
@@ -43,6 +45,7 @@ void ControlledDelivery::start_row(int row) {
     distance_.clear();
     before_ = {};
     idle_ = failed_ = 0;
+    others_refine_ = 0;
     account_.floor = account_.floor_from = NAN;
     start_pass(1);
     start_twin();
@@ -146,11 +149,11 @@ double ControlledDelivery::worst_distance(bool above_floor_only) const {
 
 void ControlledDelivery::judge() {
     const size_t n = row_steps_.size();
-    // two passes cannot tell the order: with contact, assume the least
-    double order = now_.touched ? 1 : formal_order();
+    const double most_order = now_.touched ? order_in_contact : formal_order();
+    double order = most_order;  // two passes cannot tell
     if (n >= 3)
         order = observed_order({row_steps_[n - 3], row_steps_[n - 2], row_steps_[n - 1]},
-                               row_distance_[n - 3], row_distance_[n - 2], least_order, formal_order());
+                               row_distance_[n - 3], row_distance_[n - 2], least_order, most_order);
     share_ = error_share(now_.steps, before_.steps, order);
     const double apart = row_distance_.back();
     const double worst =
@@ -160,17 +163,19 @@ void ControlledDelivery::judge() {
     account_.passes.back().error_rms = worst;
     if (n >= way().least_passes && worst <= tolerance_) return accept(true);
 
-    // frames below the floor are refined as long as that helps; if it does not, the others decide
+    const bool others_met = n >= way().least_passes && share_ * worst_distance(true) <= tolerance_;
+    if (others_met && !(others_refine_ > 0)) others_refine_ = now_.refine;
     idle_ = worst > idle * last_error && n >= 3 ? idle_ + 1 : 0;
-    const bool others_met = share_ * worst_distance(true) <= tolerance_;
-    const bool stuck = idle_ >= (others_met ? 1 : most_idle) || account_.passes.size() >= most_passes;
+    bool stuck = idle_ >= (others_met ? 1 : most_idle) || account_.passes.size() >= most_passes;
     // a rough way's order sets in late: how far it has to go is told by the one it will have
     const bool rough = row_ < usual_row_;
-    const double expected = n >= 3 && !rough ? order : formal_order();
+    const double expected = n >= 3 && !rough ? order : most_order;
     const double needed = now_.refine * std::pow(worst / (aim * tolerance_), 1 / expected);
-    const int row = stuck && rough ? usual_row_ : better_row(needed);
+    // frames below the floor are refined as long as that helps and costs no more than they are worth
+    stuck = stuck || (others_met && needed > beyond_floor * others_refine_);
+    if (stuck && (others_met || !rough)) return accept(others_met);
+    const int row = stuck ? usual_row_ : better_row(needed);
     if (row != row_) return start_row(row);
-    if (stuck) return accept(others_met);
     const double refinement =
         rough ? way().refinement : std::clamp(needed / now_.refine, least_refinement, most_refinement);
     before_ = std::move(now_);
