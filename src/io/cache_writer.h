@@ -30,7 +30,8 @@ struct CacheKind {
 std::span<const CacheKind> cache_kinds();
 
 // The file's ending chooses: .pc2 (one file, start 0, rate 1), .mdd (one file, times in seconds),
-// .obj and .ply (a numbered file per sample, NAME_0000.obj ...). One writer per cloth. Throws Error for another ending or an unwritable place.
+// .obj and .ply (a numbered file per sample, NAME_0000.obj ...). One writer per cloth. Throws Error for
+// another ending or an unwritable place.
 std::unique_ptr<CacheWriter> make_cache_writer(const std::string& path, const Mesh& mesh, double frame_rate,
                                                int samples);
 
