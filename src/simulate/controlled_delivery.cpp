@@ -11,13 +11,13 @@ namespace drape {
 
 namespace {
 
-constexpr double least_refinement = 1.3, most_refinement = 8;
+constexpr double least_refinement = 1.3, most_refinement = 8, most_in_contact = 2.5;
 constexpr double aim = 0.6;    // of the tolerance, when the next pass's steps are chosen
 constexpr double idle = 0.75;  // a pass whose error is more than this of the last one's was idle
 constexpr int most_idle = 2, most_failed = 3, most_passes = 12;
 constexpr double least_order = 0.5;
 constexpr double order_in_contact = 1;  // at most: points come and go, friction sticks and slips
-constexpr double beyond_floor = 4;  // times the steps that met the predictable frames are spent on the others
+constexpr double beyond_floor = 2;  // times the steps that met the predictable frames are spent on the others
 
 }  // namespace
 
@@ -163,21 +163,25 @@ void ControlledDelivery::judge() {
     account_.passes.back().error_rms = worst;
     if (n >= way().least_passes && worst <= tolerance_) return accept(true);
 
-    const bool others_met = n >= way().least_passes && share_ * worst_distance(true) <= tolerance_;
+    // frames below the floor do not drive the others' refinement
+    const double others = share_ * worst_distance(true);
+    const bool others_met = n >= way().least_passes && others <= tolerance_;
     if (others_met && !(others_refine_ > 0)) others_refine_ = now_.refine;
     idle_ = worst > idle * last_error && n >= 3 ? idle_ + 1 : 0;
     bool stuck = idle_ >= (others_met ? 1 : most_idle) || account_.passes.size() >= most_passes;
     // a rough way's order sets in late: how far it has to go is told by the one it will have
     const bool rough = row_ < usual_row_;
     const double expected = n >= 3 && !rough ? order : most_order;
-    const double needed = now_.refine * std::pow(worst / (aim * tolerance_), 1 / expected);
+    const double driving = others > tolerance_ ? std::min(worst, others) : worst;
+    const double needed = now_.refine * std::pow(driving / (aim * tolerance_), 1 / expected);
     // frames below the floor are refined as long as that helps and costs no more than they are worth
     stuck = stuck || (others_met && needed > beyond_floor * others_refine_);
     if (stuck && (others_met || !rough)) return accept(others_met);
     const int row = stuck ? usual_row_ : better_row(needed);
     if (row != row_) return start_row(row);
+    const double most = now_.touched ? most_in_contact : most_refinement;
     const double refinement =
-        rough ? way().refinement : std::clamp(needed / now_.refine, least_refinement, most_refinement);
+        rough ? way().refinement : std::clamp(needed / now_.refine, least_refinement, most);
     before_ = std::move(now_);
     distance_.clear();
     start_pass(before_.refine * refinement);

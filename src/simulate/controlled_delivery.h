@@ -8,7 +8,7 @@
 //
 // A twin of a row's first pass, its start moved by 1e-12 m, shows the predictability floor: how far two runs
 // end apart that no measurement could tell apart at the start. Frames whose floor lies above the tolerance
-// are refined as long as that helps, with at most four times the steps that met the others.
+// are refined as long as that helps, with at most twice the steps that met the others.
 #pragma once
 
 #include "simulate/delivery.h"

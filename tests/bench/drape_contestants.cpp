@@ -56,6 +56,15 @@ Contestant to_tolerance(const Setup& setup, double tolerance) {
     return contestant;
 }
 
+Contestant projections_with_error(const Setup& setup, double only_for) {
+    Contestant contestant{.name = "drape, xpbd and its error", .order = 1, .only_for = only_for};
+    for (const int steps : steps_ladder(1 / setup.frame_rate / first_projecting_step))
+        contestant.entries.push_back({.setting = cat(steps, " steps"), .run = [&setup, steps](double) {
+                                          return run_delivery(with_steps(setup, "xpbd", steps), {});
+                                      }});
+    return contestant;
+}
+
 Contestant nothing_asked(const Setup& setup) {
     Contestant contestant{.name = "drape, nothing asked"};
     contestant.entries.push_back(

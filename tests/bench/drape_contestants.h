@@ -12,6 +12,10 @@ std::vector<Contestant> fixed_settings(const Setup& setup);
 // A run to the tolerance [m], its frames those of `setup`, with the error it states.
 Contestant to_tolerance(const Setup& setup, double tolerance);
 
+// xpbd at fixed steps with a second pass beside it, and the error that these state; for the error `only_for`
+// [m].
+Contestant projections_with_error(const Setup& setup, double only_for);
+
 // A run that asks for nothing, with the error it states.
 Contestant nothing_asked(const Setup& setup);
 
