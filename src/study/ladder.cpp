@@ -9,10 +9,10 @@ namespace drape {
 
 namespace {
 
-constexpr double widest = 0.98;   // of the longest stable step
-constexpr int most_halvings = 5;  // of explicit steps: more cost much and teach nothing new
-constexpr int most_implicit_halvings = 12;
-constexpr int most_failures = 4;  // in a row
+constexpr double widest = 0.98;                // of the longest stable step
+constexpr int most_halvings = 5;               // of explicit steps: more cost much and teach nothing new
+constexpr int most_halvings_of_any_step = 12;  // where the first step is a frame, not what is stable
+constexpr int most_failures = 4;               // in a row
 // Halved steps cost implicit methods less than twice as much: each is easier to solve for.
 constexpr double implicit_growth = 0.6;
 
@@ -37,7 +37,8 @@ Ladder::Ladder(const Setup& setup, const Probe& probe, const std::vector<const M
             row.ratio = fine && !method->is_implicit() ? std::sqrt(2.0) : 2;
             const double stable = widest * simulation.longest_step();
             row.first = std::isfinite(stable) ? std::max(1.0, std::ceil(frame_time_ / stable)) : 1;
-            const int halvings = method->is_implicit() ? most_implicit_halvings : most_halvings;
+            const bool any_step = method->is_implicit() || method->projects_springs;
+            const int halvings = any_step ? most_halvings_of_any_step : most_halvings;
             row.most = static_cast<int>(std::lround(halvings / std::log2(row.ratio))) + 1;
             row.seconds_per_step = seconds_per_step(simulation, probe);
             rows_.push_back(row);
