@@ -286,7 +286,6 @@ void Run::demand_what_was_asked() const {
 }
 
 Exit Run::go() {
-    catch_interrupts();
 #ifdef DRAPE_WITH_RENDER
     // the room the cloth moves in is judged from its start
     if (options_.pictures && delivery_->frame() == 0) {
@@ -325,6 +324,8 @@ Exit run_scene(const RunOptions& options) {
         throw Error(
             "this drape was built without a renderer (use `drape simulate`, or build with DRAPE_RENDER=ON)");
 #endif
+    // before a folder tells others that the run has begun
+    catch_interrupts();
     // Mesa's rasteriser reads its number of threads from the environment
     const int threads = threads_of(options);
     setenv("LP_NUM_THREADS", std::to_string(threads == 1 ? 0 : threads).c_str(), 1);
