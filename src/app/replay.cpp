@@ -24,6 +24,8 @@ Replay read_replay(const std::string& path) {
         replay.method = json.at("method").at("name").get<std::string>();
         static_cast<void>(method_named(replay.method));
         for (const auto& frame : json.at("frames")) {
+            if (frame.at("index").get<size_t>() != replay.steps.size() + 1)
+                throw Error(cat(path, ": does not begin at frame 1 (it is of a run that was resumed)"));
             replay.steps.push_back(frame.at("planned_steps").get<long>());
             if (replay.steps.back() < 1 || replay.steps.back() > most_steps)
                 throw Error(cat(path, ": frame ", replay.steps.size(), ": planned_steps must be 1 to ",

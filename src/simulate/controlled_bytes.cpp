@@ -96,7 +96,8 @@ std::string ControlledDelivery::save() const {
 bool ControlledDelivery::restore(std::string_view bytes) {
     ByteReader in(bytes);
     Pass before = take_pass(in), now = take_pass(in);
-    for (std::vector<double>* list : {&floor_, &row_steps_, &row_distance_}) *list = take_list(in);
+    std::vector<double> floor = take_list(in);
+    for (std::vector<double>* list : {&row_steps_, &row_distance_}) *list = take_list(in);
     for (double* value : {&share_, &others_refine_, &account_.rms, &account_.max, &account_.floor,
                           &account_.floor_from, &account_.seconds})
         *value = in.take<double>();
@@ -112,12 +113,13 @@ bool ControlledDelivery::restore(std::string_view bytes) {
     }
     if (!in.ok() || row_ < 0 || static_cast<size_t>(row_) >= rows_.size()) return false;
     start_pass(now.refine);
-    start_twin();
     if (!running_->restore(in)) return false;
-    if (!in.take<bool>())
-        twin_.reset();
-    else if (!twin_->restore(in))
-        return false;
+    twin_.reset();
+    if (in.take<bool>()) {
+        start_twin();
+        if (!twin_->restore(in)) return false;
+    }
+    floor_ = std::move(floor);
     before_ = std::move(before);
     now_ = std::move(now);
     account_.passes = std::move(records);

@@ -121,7 +121,9 @@ void ControlledDelivery::end_pass() {
         before_ = std::move(now_);
         return start_pass(before_.refine * way().refinement);
     }
-    row_distance_.push_back(worst_distance(false));
+    // those that can be predicted show the order, if there are any
+    const double predictable = worst_distance(true);
+    row_distance_.push_back(predictable > 0 ? predictable : worst_distance(false));
     judge();
 }
 
@@ -155,11 +157,11 @@ void ControlledDelivery::judge() {
         order = observed_order({row_steps_[n - 3], row_steps_[n - 2], row_steps_[n - 1]},
                                row_distance_[n - 3], row_distance_[n - 2], least_order, most_order);
     share_ = error_share(now_.steps, before_.steps, order);
-    const double apart = row_distance_.back();
+    const double apart = worst_distance(false);
     const double worst =
         stated_share(apart, share_, mean_edge_) * apart + round_off(now_.x.back(), now_.steps);
     double& last_error = account_.passes[account_.passes.size() - 2].error_rms;
-    last_error = std::fmax(last_error, error_share(before_.steps, now_.steps, order) * row_distance_.back());
+    last_error = std::fmax(last_error, error_share(before_.steps, now_.steps, order) * apart);
     account_.passes.back().error_rms = worst;
     if (n >= way().least_passes && worst <= tolerance_) return accept(true);
 

@@ -22,14 +22,12 @@ void Simulation::choose_method() {
                                              method, ", ", longest_, " s"));
         return;
     }
-    const double explicit_seconds = predicted_cost(*this).seconds;
-    if (longest_ > usual_implicit_step) return;  // nothing to win
-    take_method(implicit_choice, "");
-    const double ratio = explicit_seconds / predicted_cost(*this).seconds;
+    const Method& implicit = method_named(implicit_choice);
+    const double ratio =
+        predicted_cost(*this).seconds / predicted_cost(*this, implicit, usual_step(implicit)).seconds;
     if (ratio > explicit_worth)
-        chosen_because_ = cat("so stiff that ", method, " is predicted to cost ", ratio, " times as much");
-    else
-        take_method(method, because);
+        take_method(implicit.name,
+                    cat("so stiff that ", method, " is predicted to cost ", ratio, " times as much"));
 }
 
 }  // namespace drape

@@ -48,8 +48,7 @@ double projection_nanoseconds(const Cloth& cloth) {
     return sum;
 }
 
-double step_nanoseconds(const Simulation& simulation, double sweep) {
-    const Method& method = simulation.method();
+double step_nanoseconds(const Simulation& simulation, const Method& method, double sweep) {
     if (method.is_implicit()) {
         const double solves = method.sweeps / 2.0;
         return solves * factorisations_a_solve * sweep *
@@ -64,6 +63,10 @@ double step_nanoseconds(const Simulation& simulation, double sweep) {
 }  // namespace
 
 PredictedCost predicted_cost(const Simulation& simulation) {
+    return predicted_cost(simulation, simulation.method(), simulation.step());
+}
+
+PredictedCost predicted_cost(const Simulation& simulation, const Method& method, double step) {
     // with several cloths each has its stage, "wind (cloth 1)"; the air is the same for all
     const std::vector<Stage>& stages = simulation.plan().stages;
     const bool windy = std::any_of(stages.begin(), stages.end(), [](const Stage& stage) {
@@ -72,9 +75,8 @@ PredictedCost predicted_cost(const Simulation& simulation) {
     double sweep = 0;
     for (const Cloth& cloth : simulation.model().cloths) sweep += sweep_nanoseconds(cloth, windy);
     PredictedCost cost;
-    cost.steps =
-        std::ceil(1 / simulation.frame_rate() / simulation.step() * (1 - 1e-9)) * simulation.frames();
-    cost.seconds = cost.steps * step_nanoseconds(simulation, sweep) * 1e-9;
+    cost.steps = std::ceil(1 / simulation.frame_rate() / step * (1 - 1e-9)) * simulation.frames();
+    cost.seconds = cost.steps * step_nanoseconds(simulation, method, sweep) * 1e-9;
     return cost;
 }
 

@@ -12,4 +12,7 @@ struct PredictedCost {
 
 PredictedCost predicted_cost(const Simulation& simulation);
 
+// The same for another method on the scene, at steps of `step` [s].
+PredictedCost predicted_cost(const Simulation& simulation, const Method& method, double step);
+
 }  // namespace drape

@@ -92,14 +92,19 @@ void Simulation::choose_step() {
     spectrum_.omega =
         std::min(spectrum_.omega, measured_excess * measured_omega(*dynamics_, state_.x, share));
     longest_ = method_->longest_step(spectrum_);
-    double usual = method_->is_implicit() ? usual_implicit_step : margin * longest_;
-    if (method_->projects_springs) usual = std::min(usual, usual_projecting_step);
+    const double usual = usual_step(*method_);
     double wanted = setup_.step.value_or(usual);
     if (setup_.keep_stable && !method_->is_implicit()) wanted = std::min(wanted, margin * longest_);
     step_ = 1 / setup_.frame_rate / steps_a_frame(wanted);
     pace_ = step_ / usual;
     // springs set no limit there, contact does
     if (method_->projects_springs) pace_ = std::min(pace_, 1.0);
+}
+
+double Simulation::usual_step(const Method& method) const {
+    if (method.is_implicit()) return usual_implicit_step;
+    const double stable = margin * method.longest_step(spectrum_);
+    return method.projects_springs ? std::min(stable, usual_projecting_step) : stable;
 }
 
 double Simulation::steps_a_frame(double wanted) const {

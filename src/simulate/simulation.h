@@ -82,7 +82,10 @@ public:
     const Plan& plan() const { return plan_; }
     const Method& method() const { return *method_; }
     const std::string& chosen_because() const { return chosen_because_; }
-    double step() const { return step_; }             // of the last frame; before the first: planned [s]
+    double step() const { return step_; }  // of the last frame; before the first: planned [s]
+    // that `method` would take if nothing asks for another; not for one that projects, unless it is this
+    // one's [s]
+    double usual_step(const Method& method) const;
     double longest_step() const { return longest_; }  // stable by the measured fastest mode [s]
     const Spectrum& spectrum() const {
         return spectrum_;

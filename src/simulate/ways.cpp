@@ -27,19 +27,21 @@ double extent(In x) {
     return (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
 }
 
-Way way_of(const Simulation& trial, std::string because) {
-    Way way{.method = std::string(trial.method().name),
+// by the forces and the spectrum of `trial`, whatever its own method
+Way way_of(const Simulation& trial, std::string_view method, std::string because) {
+    const Method& taken = method_named(method);
+    Way way{.method = std::string(method),
             .step = {},
             .because = std::move(because),
-            .seconds = predicted_cost(trial).seconds};
+            .seconds = predicted_cost(trial, taken, trial.usual_step(taken)).seconds};
     if (trial.has_contact()) way.refinement = refinement_in_contact;
     return way;
 }
 
-Setup with_method(Setup setup, std::string method, std::optional<double> step = {}) {
-    setup.method = std::move(method);
-    setup.step = step;
-    return setup;
+// springs set its limit no more, so it needs a trial of its own
+Simulation projecting(Setup setup) {
+    setup.method = "xpbd";
+    return Simulation(std::move(setup));
 }
 
 // The last of its passes is one step of symplectic Euler per `step`, whose error under gravity alone is
@@ -49,29 +51,31 @@ std::optional<Way> xpbd_way(const Setup& setup, const Simulation& usual, double 
     const double duration = setup.frames / setup.frame_rate;
     double step = verlet_step * tolerance / (softening_per_step * extent(setup.start.x));
     if (const double g = setup.world.gravity.norm(); g > 0) step = std::min(step, tolerance / (g * duration));
-    const Simulation free(with_method(setup, "xpbd"));
-    const double coarsest = std::min(step * xpbd_refinement * xpbd_refinement, free.longest_step());
+    const Simulation trial = projecting(setup);
+    const double coarsest =
+        std::min({step * xpbd_refinement * xpbd_refinement, trial.longest_step(), 1 / setup.frame_rate});
     if (!(coarsest > 0)) return std::nullopt;
-    const Simulation trial(with_method(setup, "xpbd", coarsest));
-    Way way = way_of(trial,
+    Way way = way_of(trial, "xpbd",
                      "the tolerance is loose and the cloth stiff: small steps with one sweep of spring "
                      "projections are predicted to meet it for less than explicit steps");
-    way.step = trial.step();
+    way.step = coarsest;
+    way.seconds = predicted_cost(trial, trial.method(), coarsest).seconds;
     way.refinement = xpbd_refinement;
     way.least_passes = xpbd_passes;
     return way;
 }
 
-Way fine_way(const Setup& setup, const std::string& usual) {
+Way fine_way(const Simulation& trial, const std::string& usual) {
     const bool conserves = usual == "takahashi_imada";
-    return way_of(Simulation(with_method(setup, conserves ? "srkn6" : "rk4")),
+    return way_of(trial, conserves ? "srkn6" : "rk4",
                   cat("there is much to refine: order ", conserves ? "six" : "four",
                       " gains more than many more steps of ", usual));
 }
 
 Ways only_way(const Setup& setup) {
     Ways ways;
-    ways.usual = way_of(Simulation(setup), setup.because);
+    const Simulation trial(setup);
+    ways.usual = way_of(trial, setup.method, setup.because);
     return ways;
 }
 
@@ -85,13 +89,13 @@ double seconds_to_judge(const Way& way) {
 
 Ways ways_to(const Setup& setup, double tolerance) {
     if (!setup.method.empty()) return only_way(setup);
-    const MethodChoice choice = explicit_choice(Simulation(setup).dynamics());
-    const Simulation trial(with_method(setup, choice.method));
+    Simulation trial(setup);
+    const MethodChoice choice = explicit_choice(trial.dynamics());
     Ways ways;
-    ways.usual = way_of(trial, choice.because);
-    ways.fine = fine_way(setup, choice.method);
+    ways.usual = way_of(trial, choice.method, choice.because);
+    ways.fine = fine_way(trial, choice.method);
     std::optional<Way> xpbd = xpbd_way(setup, trial, tolerance);
-    Way implicit = way_of(Simulation(with_method(setup, implicit_choice)),
+    Way implicit = way_of(trial, implicit_choice,
                           "so stiff that implicit steps are predicted to cost less than explicit ones");
     ways.rough = xpbd && seconds_to_judge(*xpbd) < seconds_to_judge(implicit) ? *xpbd : implicit;
     if (!(seconds_to_judge(*ways.rough) < worth_trying * seconds_to_judge(ways.usual))) ways.rough.reset();
@@ -100,14 +104,14 @@ Ways ways_to(const Setup& setup, double tolerance) {
 
 Ways ways_within_budget(const Setup& setup) {
     if (!setup.method.empty()) return only_way(setup);
-    const MethodChoice choice = explicit_choice(Simulation(setup).dynamics());
-    const Simulation trial(with_method(setup, choice.method));
+    Simulation trial(setup);
+    const MethodChoice choice = explicit_choice(trial.dynamics());
     Ways ways;
-    ways.usual = way_of(trial, choice.because);
+    ways.usual = way_of(trial, choice.method, choice.because);
     // contact leaves no method its high order
-    if (!trial.has_contact()) ways.fine = fine_way(setup, choice.method);
-    ways.rough = way_of(Simulation(with_method(setup, "xpbd")),
-                        "the budget has no time for explicit steps; these may be longer");
+    if (!trial.has_contact()) ways.fine = fine_way(trial, choice.method);
+    ways.rough =
+        way_of(projecting(setup), "xpbd", "the budget has no time for explicit steps; these may be longer");
     return ways;
 }
 

@@ -37,12 +37,3 @@ TEST_CASE("a step of any length follows the motion", "[integrate]") {
         CHECK(spring.dynamics().flow().dissipated == Approx(0.5).epsilon(0.1));
     }
 }
-
-TEST_CASE("frames of embedded_rk depend on nothing but their start", "[integrate]") {
-    Setup setup = ball_drop(6);
-    setup.method = "embedded_rk";
-    Simulation whole(setup), resumed(setup);
-    for (int frame = 0; frame < 5; ++frame) REQUIRE(whole.advance().trouble.empty());
-    go_on_from(whole, resumed);
-    CHECK(whole.advance().hash == resumed.advance().hash);
-}

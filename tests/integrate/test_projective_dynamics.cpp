@@ -51,15 +51,3 @@ TEST_CASE("springs of 1e9 N/m stay bounded under projective dynamics at steps of
         }
     }
 }
-
-TEST_CASE("a frame of projective dynamics follows from its start alone, through contact too", "[integrate]") {
-    Setup setup = ball_drop(6);
-    setup.method = "projective_dynamics";
-    setup.step = 1 / 120.0;
-    Simulation whole(setup), resumed(setup);
-    for (int frame = 0; frame < 6; ++frame) REQUIRE(whole.advance().trouble.empty());
-    go_on_from(whole, resumed);
-    const FrameReport report = whole.advance();
-    CHECK(report.contacts > 0);
-    CHECK(resumed.advance().hash == report.hash);
-}

@@ -60,14 +60,3 @@ TEST_CASE("bending, drag and contact bind the step of xpbd, springs do not", "[i
     CHECK(other.longest_step() > 0.5 * one.longest_step());
     CHECK(one.step() <= 0.0005);
 }
-
-TEST_CASE("a frame of xpbd follows from its start alone, through contact too", "[integrate]") {
-    Setup setup = ball_drop(6);
-    setup.method = "xpbd";
-    Simulation whole(setup), resumed(setup);
-    for (int frame = 0; frame < 6; ++frame) REQUIRE(whole.advance().trouble.empty());
-    go_on_from(whole, resumed);
-    const FrameReport report = whole.advance();
-    CHECK(report.contacts > 0);
-    CHECK(resumed.advance().hash == report.hash);
-}

@@ -53,8 +53,10 @@ Delivered delivered(const Setup& setup, const DeliveryOptions& options) {
     return all;
 }
 
-DeliveryOptions within(double seconds, int threads = 1) {
-    return {.budget = Budget{seconds, [timer = WallTimer()] { return timer.seconds(); }}, .threads = threads};
+// CPU seconds, which other loads of the machine do not take away
+DeliveryOptions within(double seconds) {
+    return {.budget =
+                Budget{seconds, [began = process_cpu_seconds()] { return process_cpu_seconds() - began; }}};
 }
 
 }  // namespace

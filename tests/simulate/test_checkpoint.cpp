@@ -120,3 +120,19 @@ TEST_CASE("a run resumed from any frame has the bits of a run never interrupted"
         }
     }
 }
+
+TEST_CASE("a frame of any method follows from its start alone, through contact too", "[simulate]") {
+    for (const Method& method : methods()) {
+        Setup setup = ball_drop(6);
+        if (method.conservative_only()) setup = swatch(6, 200);
+        setup.method = method.name;
+        if (method.is_implicit()) setup.step = 1 / 120.0;
+        Simulation whole(setup);
+        for (int frame = 0; frame < 6; ++frame) REQUIRE(whole.advance().trouble.empty());
+        const auto other = resumed(setup, bytes_of(whole));
+        const FrameReport report = whole.advance();
+        CAPTURE(method.name);
+        CHECK((method.conservative_only() || report.contacts > 0));
+        CHECK(other->advance().hash == report.hash);
+    }
+}

@@ -109,41 +109,53 @@ TEST_CASE("frames that cannot be predicted do not drive the others' refinement",
     // thrown about without bending, the sheet folds chaotically by the end
     Setup setup =
         scene_of(square(16), bare_springs(1000), {0, 272}, carry(0, 0.4, {0.2, 0.1, 0.1}, {30, 40, 0}));
+    const double tolerance = 1e-5;
+    setup.frames = 8;
+    const Delivered predictable = delivered(setup, {.tolerance = tolerance});
+    CHECK(predictable.error.met());
     setup.frames = 14;
-    const Delivered run = delivered(setup, {.tolerance = 1e-5});
+    const Delivered run = delivered(setup, {.tolerance = tolerance});
     const double floor_from = run.error.floor_from;
     CAPTURE(floor_from, run.error.floor, run.error.rms, run.error.passes.size());
-    CHECK(floor_from > setup.frames / setup.frame_rate / 2);
+    CHECK(floor_from > 8.5 / setup.frame_rate);
     CHECK_FALSE(run.error.met());
     CHECK(run.error.reached);
     for (const FrameReport& frame : run.frames)
-        if (frame.time < floor_from) CHECK(frame.error_rms <= 1e-5);
-    double work = 0;
-    for (const PassRecord& pass : run.error.passes) work += static_cast<double>(pass.sweeps);
-    CHECK(work < 400 * static_cast<double>(run.error.passes.front().sweeps));  // measured: 233 times
+        if (frame.time < floor_from) CHECK(frame.error_rms <= tolerance);
+    // at most twice the steps, and a pass may overshoot
+    CHECK(run.error.passes.back().step > predictable.error.passes.back().step / 3);
 }
 
 TEST_CASE("a run to a tolerance goes on from any moment with the same bits and the same estimate",
           "[simulate]") {
-    const Setup setup = ball_drop(5);
-    const DeliveryOptions options{.tolerance = 1e-3};
-    const Delivered whole = delivered(setup, options);
-    const auto first = make_delivery(setup, options);
-    for (int moment = 0; first->frame() < setup.frames; ++moment) {
-        static_cast<void>(first->advance());
-        if (moment % 7 != 0) continue;
-        const auto later = make_delivery(setup, options);
-        REQUIRE(later->restore(first->save()));
-        const int done = later->frame();
-        const Delivered rest = delivered(*later, setup.frames);
-        CAPTURE(moment, done);
-        for (size_t k = 0; k < rest.frames.size(); ++k) {
-            CHECK(rest.frames[k].hash == whole.frames[k + static_cast<size_t>(done)].hash);
-            CHECK(rest.frames[k].error_rms == whole.frames[k + static_cast<size_t>(done)].error_rms);
+    struct Case {
+        const char* what;
+        Setup setup;
+        double tolerance;
+    };
+    // the second goes through two methods, and its last frames lie below the floor
+    for (const Case& c : {Case{"ball drop", ball_drop(5), 1e-3}, Case{"swatch", swatch(8, 200), 2e-12}}) {
+        const DeliveryOptions options{.tolerance = c.tolerance};
+        const Delivered whole = delivered(c.setup, options);
+        CHECK(whole.error.met() == (c.tolerance > 1e-9));
+        const auto first = make_delivery(c.setup, options);
+        for (int moment = 0; first->frame() < c.setup.frames; ++moment) {
+            static_cast<void>(first->advance());
+            if (moment % 7 != 0) continue;
+            const auto later = make_delivery(c.setup, options);
+            REQUIRE(later->restore(first->save()));
+            const int done = later->frame();
+            const Delivered rest = delivered(*later, c.setup.frames);
+            CAPTURE(c.what, moment, done);
+            for (size_t k = 0; k < rest.frames.size(); ++k) {
+                CHECK(rest.frames[k].hash == whole.frames[k + static_cast<size_t>(done)].hash);
+                CHECK(rest.frames[k].error_rms == whole.frames[k + static_cast<size_t>(done)].error_rms);
+            }
+            CHECK(rest.error.rms == whole.error.rms);
+            CHECK(rest.error.floor == whole.error.floor);
+            if (!whole.error.met()) CHECK(rest.error.floor_from == whole.error.floor_from);
+            CHECK(rest.error.passes.size() == whole.error.passes.size());
         }
-        CHECK(rest.error.rms == whole.error.rms);
-        CHECK(rest.error.floor == whole.error.floor);
-        CHECK(rest.error.passes.size() == whole.error.passes.size());
     }
 }
 

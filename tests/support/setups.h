@@ -72,13 +72,4 @@ inline void run(Simulation& simulation) {
             throw Error(report.trouble);
 }
 
-// Takes a simulation of the same setup to where another stands, as a checkpoint does.
-inline void go_on_from(const Simulation& whole, Simulation& resumed) {
-    ByteWriter out;
-    whole.save(out);
-    const std::string bytes = std::move(out).bytes();
-    ByteReader in(bytes);
-    if (!resumed.restore(in)) throw Error("not of the same setup");
-}
-
 }  // namespace drape::test
