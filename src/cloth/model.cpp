@@ -1,5 +1,6 @@
 #include "cloth/model.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/assert.h"
@@ -46,6 +47,11 @@ void add_pins(Model& model, PinGroup group) {
     DRAPE_ASSERT(group.anchors.cols() == static_cast<Eigen::Index>(group.vertices.size()));
     for (const int v : group.vertices) model.inverse_mass[v] = 0;
     model.pins.push_back(std::move(group));
+}
+
+bool has_moving_pins(const Model& model) {
+    return std::any_of(model.pins.begin(), model.pins.end(),
+                       [](const PinGroup& group) { return group.motion.moves(); });
 }
 
 void place_pins(const Model& model, State& state) {

@@ -52,6 +52,8 @@ void add_cloth(Model& model, Cloth cloth);
 // Pins the group's vertices from now on.
 void add_pins(Model& model, PinGroup group);
 
+bool has_moving_pins(const Model& model);
+
 // Puts pinned vertices where they belong at state.time, with their velocity.
 void place_pins(const Model& model, State& state);
 

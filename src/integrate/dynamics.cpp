@@ -1,7 +1,5 @@
 #include "integrate/dynamics.h"
 
-#include <algorithm>
-
 #include "base/timer.h"
 
 namespace drape {
@@ -21,8 +19,7 @@ Dynamics::Dynamics(const Model& model, std::vector<ActiveForce> forces, std::uni
         if (!active.force->is_conservative()) dissipating += (dissipating.empty() ? "" : ", ") + active.stage;
     if (!dissipating.empty()) losses_.push_back("damping or wind (" + dissipating + ")");
     if (contact_) losses_.push_back("contact");
-    const auto moves = [](const PinGroup& group) { return group.motion.moves(); };
-    if (std::any_of(model.pins.begin(), model.pins.end(), moves)) losses_.push_back("moving pins");
+    if (has_moving_pins(model)) losses_.push_back("moving pins");
     for (int i = 0; i < model.vertices(); ++i)
         if (model.inverse_mass[i] == 0) pinned_.push_back(i);
 }

@@ -42,6 +42,7 @@ Json frame_json(const FrameReport& frame) {
             {"error_max_m", known(frame.error_max)},
             {"steps", frame.steps},
             {"planned_steps", frame.planned_steps},
+            {"retries", frame.retries},
             {"shortest_step_s", frame.shortest_step},
             {"contacts", frame.contacts},
             {"least_distance_m", known(frame.least_distance)},

@@ -72,6 +72,10 @@ std::string report_summary(const RunReport& r) {
     text += cat("  energy ", number("%.4g", r.start.total()), " -> ", number("%.4g", r.end.total()),
                 " J, heat ", number("%.4g", r.flow.dissipated), " J, put in ", number("%.4g", r.flow.driven),
                 " J, unaccounted ", number("%.2g", r.energy_drift()), " J\n");
+    if (const auto tried = std::count_if(r.frames.begin(), r.frames.end(),
+                                         [](const FrameReport& frame) { return frame.retries > 0; });
+        tried > 0)
+        text += cat("  ", tried, " frames took energy from nowhere and were made again with shorter steps\n");
     if (r.budget)
         text += cat("  wall time ", number("%.3g", t.wall), " s of a budget of ", number("%.3g", *r.budget),
                     " s", r.budget_kept() ? "" : ": the shortest way takes longer", "\n");

@@ -11,6 +11,7 @@ void each_number(Report& report, Visit visit) {
     visit(report.time);
     visit(report.steps);
     visit(report.planned_steps);
+    visit(report.retries);
     visit(report.shortest_step);
     visit(report.contacts);
     visit(report.least_distance);

@@ -4,11 +4,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/hash.h"
 #include "base/names.h"
-#include "base/timer.h"
 #include "simulate/reach.h"
-#include "simulate/strain.h"
 
 namespace drape {
 
@@ -41,6 +38,9 @@ void Simulation::take_method(std::string_view method, std::string because) {
         throw Error(cat("method ", method, " is for scenes that conserve energy; this one has ",
                         joined(dynamics_->losses()), " (verlet, rk4 and embedded_rk take any)"));
     integrator_ = method_->make();
+    // where springs project, nobody counts what moving pins pull at them
+    const bool knows_drive = !method_->projects_springs || !has_moving_pins(setup_.model);
+    guard_.emplace(*dynamics_, setup_.world.gravity, knows_drive);
     choose_step();
 }
 
@@ -95,7 +95,7 @@ void Simulation::choose_step() {
     const double usual = usual_step(*method_);
     double wanted = setup_.step.value_or(usual);
     if (setup_.keep_stable && !method_->is_implicit()) wanted = std::min(wanted, margin * longest_);
-    step_ = 1 / setup_.frame_rate / steps_a_frame(wanted);
+    step_ = 1 / setup_.frame_rate / (steps_a_frame(wanted) * std::exp2(halvings_));
     pace_ = step_ / usual;
     // springs set no limit there, contact does
     if (method_->projects_springs) pace_ = std::min(pace_, 1.0);
@@ -130,92 +130,6 @@ double Simulation::allowed_step() const {
 
 Energies Simulation::energies() const {
     return {dynamics_->kinetic_energy(state_.v), dynamics_->potential_energy(state_.x, state_.time)};
-}
-
-double Simulation::guarded_step(double h, FrameReport& report) {
-    Contact* contact = dynamics_->contact();
-    // nothing to guard against: an explicit step without contact always arrives
-    if (!contact && !method_->is_implicit()) return integrator_->step(*dynamics_, state_, h) ? h : 0;
-    // for the longest step: a point too far to be listed would not have shortened it, whenever the list was
-    // made
-    if (contact) contact->prepare(state_, step_);
-    before_ = state_;
-    const EnergyFlow flow = dynamics_->flow();
-    for (int halving = 0; halving <= most_halvings; ++halving, h /= 2) {
-        const bool solved = integrator_->step(*dynamics_, state_, h);
-        const ObstacleContact::Result& touch = dynamics_->touch();
-        if (solved && !touch.crossed) {
-            report.contacts = std::max(report.contacts, touch.contacts);
-            if (touch.contacts > 0)
-                report.least_distance = std::min(report.least_distance, touch.least_distance);
-            return h;
-        }
-        state_ = before_;
-        dynamics_->reset_flow(flow);
-        integrator_->begin(*dynamics_, state_, h / 2);
-    }
-    return 0;
-}
-
-FrameReport Simulation::advance() {
-    const double began = thread_cpu_seconds();
-    FrameReport report = next_frame();
-    report.cpu_seconds = thread_cpu_seconds() - began;
-    return report;
-}
-
-FrameReport Simulation::next_frame() {
-    FrameReport report;
-    report.index = frame_ + 1;
-    report.least_distance = INFINITY;
-    const State good = state_;
-    const EnergyFlow good_flow = dynamics_->flow();
-    const double end_time = report.index / setup_.frame_rate;
-
-    choose_step();
-    if (Contact* contact = dynamics_->contact()) contact->prepare(state_, step_);
-    integrator_->begin(*dynamics_, state_, step_);
-    report.planned_steps = std::lround(1 / setup_.frame_rate / step_);
-    report.shortest_step = step_;
-    double h = step_;
-    for (double left = end_time - state_.time; left > 1e-12 * end_time; left = end_time - state_.time) {
-        const double wanted = left / std::ceil(left / allowed_step() * (1 - 1e-12));
-        h = guarded_step(wanted, report);
-        ++report.steps;
-        report.shortest_step = std::min(report.shortest_step, h);
-        if (h == 0 || !(state_.v.cwiseAbs().maxCoeff() < 1e9)) break;
-    }
-    if (h > 0) integrator_->end(*dynamics_, state_, step_);
-
-    const bool finite = state_.x.allFinite() && state_.v.allFinite();
-    if (h == 0)
-        report.trouble =
-            dynamics_->touch().crossed
-                ? cat("cloth was pushed into an obstacle at t = ", state_.time,
-                      " s and no step, however short, keeps it out")
-                : cat("no step from t = ", state_.time, " s, however short, could be solved for");
-    else if (!finite || !(state_.v.cwiseAbs().maxCoeff() < 1e9))
-        report.trouble = cat("velocities left all bounds before t = ", end_time, " s with steps of ", step_,
-                             " s (the longest stable one is ", longest_, " s)");
-    else if ((state_.x - setup_.start.x).colwise().norm().maxCoeff() > left_out_gap_)
-        report.trouble = cat("cloth travelled farther than ", left_out_gap_, " m by t = ", end_time,
-                             " s, where an obstacle was left out of contact");
-    if (!report.trouble.empty()) {
-        state_ = good;
-        dynamics_->reset_flow(good_flow);
-        return report;
-    }
-    state_.time = end_time;
-    ++frame_;
-    if (dynamics_->contact())
-        report.least_distance =
-            std::min(report.least_distance, dynamics_->contact()->least_distance(state_.x, state_.time));
-    report.time = state_.time;
-    report.strain = largest_strain(setup_.model, state_.x);
-    report.fastest = std::sqrt(state_.v.colwise().squaredNorm().maxCoeff());
-    report.hash =
-        hash_text(hash_bytes(state_.x.data(), sizeof(double) * static_cast<size_t>(state_.x.size())));
-    return report;
 }
 
 void Simulation::save(ByteWriter& out) const {

@@ -12,6 +12,7 @@
 #include "integrate/dynamics.h"
 #include "integrate/method.h"
 #include "simulate/archive.h"
+#include "simulate/guard.h"
 #include "simulate/stable_step.h"
 
 namespace drape {
@@ -38,6 +39,7 @@ struct FrameReport {
     int index = 0;
     double time = 0;  // [s]
     long steps = 0;
+    int retries = 0;           // tries before this one, with longer steps, that did not hold
     long planned_steps = 0;    // without those that contact asked for
     double shortest_step = 0;  // [s]
     int contacts = 0;          // most at once
@@ -113,6 +115,7 @@ private:
     void choose_method();  // default_method.cpp
     void take_method(std::string_view method, std::string because);
     FrameReport next_frame();
+    FrameReport try_frame();
     void choose_step();
     double steps_a_frame(double wanted) const;
     double allowed_step() const;
@@ -132,6 +135,9 @@ private:
     double left_out_gap_ = INFINITY;  // to the nearest obstacle that was left out as out of reach [m]
     int frame_ = 0;
     bool rubs_ = false;
+    std::optional<Guard> guard_;
+    int halvings_ = 0;        // of the present try at a frame
+    bool runs_away_ = false;  // the present try did not stay finite, or took energy from nowhere
 };
 
 }  // namespace drape

@@ -1,0 +1,42 @@
+// Watches that a run stays finite and takes no energy from nowhere, which is how every instability shows.
+#pragma once
+
+#include "integrate/dynamics.h"
+
+namespace drape {
+
+class Guard {
+public:
+    // `gravity` [m/s^2]. `knows_drive`: the method books what moving pins put in; without that there is no
+    // balance to draw.
+    Guard(const Dynamics& dynamics, const Vec3& gravity, bool knows_drive);
+
+    // Takes stock before a frame of `duration` [s].
+    void begin_frame(const State& state, double duration);
+
+    // After a step: velocities are finite and hold no more kinetic energy than what was there at the frame's
+    // start, what gravity could add in a frame and what was put in since. One sum over the vertices.
+    bool step_holds(In v) const;
+
+    // After the frame: what kinetic, elastic, gravitational and contact energy gained, less what wind, pins
+    // and obstacles put in, plus what damping and friction took, over the energies at play. Above most_gain
+    // the frame does not hold.
+    double gain(const State& state) const;
+
+    static constexpr double most_gain = 0.1;
+
+private:
+    double kinetic_energy(In v) const;
+    double weight_energy(In x) const;  // gravitational [J]
+
+    const Dynamics& dynamics_;
+    Vec3 gravity_;
+    bool knows_drive_;
+    Eigen::VectorXd half_mass_;                        // of every coordinate, 0 where pinned [kg]
+    double mass_ = 0;                                  // free [kg]
+    double kinetic_ = 0, potential_ = 0, weight_ = 0;  // at the frame's start [J]
+    double available_ = 0;                             // to become kinetic in a frame [J]
+    EnergyFlow flow_;
+};
+
+}  // namespace drape

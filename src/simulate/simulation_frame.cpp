@@ -1,0 +1,119 @@
+// How a frame is made: its steps, guarded against obstacles and against energy from nowhere, tried again with
+// half the step where that did not hold.
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/timer.h"
+#include "simulate/diagnosis.h"
+#include "simulate/simulation.h"
+#include "simulate/strain.h"
+
+namespace drape {
+
+namespace {
+
+constexpr int most_halvings = 30;  // of a step that crossed into an obstacle or was not solved
+constexpr int most_retries = 10;   // of a frame, each with half the step
+constexpr double instant = 1e-12;  // of the time so far: less is no step to make
+
+}  // namespace
+
+double Simulation::guarded_step(double h, FrameReport& report) {
+    Contact* contact = dynamics_->contact();
+    // nothing to guard against: an explicit step without contact always arrives
+    if (!contact && !method_->is_implicit()) return integrator_->step(*dynamics_, state_, h) ? h : 0;
+    // for the longest step: a point too far to be listed would not have shortened it, whenever the list was
+    // made
+    if (contact) contact->prepare(state_, step_);
+    before_ = state_;
+    const EnergyFlow flow = dynamics_->flow();
+    for (int halving = 0; halving <= most_halvings; ++halving, h /= 2) {
+        const bool solved = integrator_->step(*dynamics_, state_, h);
+        const ObstacleContact::Result& touch = dynamics_->touch();
+        if (solved && !touch.crossed) {
+            report.contacts = std::max(report.contacts, touch.contacts);
+            if (touch.contacts > 0)
+                report.least_distance = std::min(report.least_distance, touch.least_distance);
+            return h;
+        }
+        state_ = before_;
+        dynamics_->reset_flow(flow);
+        integrator_->begin(*dynamics_, state_, h / 2);
+    }
+    return 0;
+}
+
+FrameReport Simulation::advance() {
+    const double began = thread_cpu_seconds();
+    FrameReport report = next_frame();
+    report.cpu_seconds = thread_cpu_seconds() - began;
+    return report;
+}
+
+FrameReport Simulation::next_frame() {
+    const State good = state_;
+    const EnergyFlow good_flow = dynamics_->flow();
+    FrameReport report;
+    for (int retries = 0;; ++retries) {
+        halvings_ = retries;
+        report = try_frame();
+        report.retries = retries;
+        if (report.trouble.empty()) break;
+        state_ = good;
+        dynamics_->reset_flow(good_flow);
+        if (!runs_away_ || retries == most_retries) break;
+    }
+    halvings_ = 0;
+    if (!report.trouble.empty()) return report;
+    ++frame_;
+    if (dynamics_->contact())
+        report.least_distance =
+            std::min(report.least_distance, dynamics_->contact()->least_distance(state_.x, state_.time));
+    report.time = state_.time;
+    report.strain = largest_strain(setup_.model, state_.x);
+    report.fastest = std::sqrt(state_.v.colwise().squaredNorm().maxCoeff());
+    report.hash =
+        hash_text(hash_bytes(state_.x.data(), sizeof(double) * static_cast<size_t>(state_.x.size())));
+    return report;
+}
+
+FrameReport Simulation::try_frame() {
+    FrameReport report;
+    report.index = frame_ + 1;
+    report.least_distance = INFINITY;
+    const double end_time = report.index / setup_.frame_rate;
+    choose_step();
+    if (Contact* contact = dynamics_->contact()) contact->prepare(state_, step_);
+    guard_->begin_frame(state_, end_time - state_.time);
+    integrator_->begin(*dynamics_, state_, step_);
+    report.planned_steps = std::lround(1 / setup_.frame_rate / step_);
+    report.shortest_step = step_;
+    runs_away_ = false;
+    for (double left = end_time - state_.time; left > instant * end_time; left = end_time - state_.time) {
+        const double wanted = left / std::ceil(left / allowed_step() * (1 - instant));
+        const double h = guarded_step(wanted, report);
+        ++report.steps;
+        report.shortest_step = std::min(report.shortest_step, h);
+        if (h == 0) {
+            report.trouble = why_no_step(*dynamics_, state_.time);
+            return report;
+        }
+        runs_away_ = !guard_->step_holds(state_.v);
+        if (runs_away_) break;
+    }
+    if (!runs_away_) {
+        integrator_->end(*dynamics_, state_, step_);
+        runs_away_ = !state_.x.allFinite() || !(guard_->gain(state_) <= Guard::most_gain);
+    }
+    if (runs_away_)
+        report.trouble = why_it_ran_away(*dynamics_, state_, {step_, longest_});
+    else if ((state_.x - setup_.start.x).colwise().norm().maxCoeff() > left_out_gap_)
+        report.trouble = cat("cloth travelled farther than ", left_out_gap_, " m by t = ", end_time,
+                             " s, where an obstacle was left out of contact");
+    state_.time = end_time;
+    return report;
+}
+
+}  // namespace drape
