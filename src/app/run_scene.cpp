@@ -37,6 +37,13 @@ int threads_of(const RunOptions& options) {
     return options.threads > 0 ? options.threads : static_cast<int>(cores);
 }
 
+// What tells a checkpoint's scene from others. What is expected of a run is no part of it.
+std::uint64_t hash_of(SceneDescription scene) {
+    scene.expected.reset();
+    const std::string text = scene_text(scene);
+    return hash_bytes(text.data(), text.size());
+}
+
 // One run from scene to report, step by step.
 class Run {
 public:
@@ -76,7 +83,7 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     drawn_ = options.frames.value_or(std::array{1, frames});
     if (drawn_[0] < 1 || drawn_[1] < drawn_[0] || drawn_[1] > frames)
         throw Error(cat("--frames ", drawn_[0], ":", drawn_[1], ": the scene has frames 1:", frames));
-    scene_hash_ = hash_bytes(scene_text(scene_).data(), scene_text(scene_).size());
+    scene_hash_ = hash_of(scene_);
     out_ = options.out.empty() ? "renders/" + fs::path(options.scene).stem().string() : options.out;
     report_.scene = scene_.name;
     report_.version = version;

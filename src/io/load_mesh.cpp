@@ -53,18 +53,32 @@ void check_positions(const std::string& path, const Points& positions) {
     }
 }
 
+ImportedScene import_checked(const std::string& path) {
+    ImportedScene imported = load_checked(path);
+    check_positions(path, imported.soup.positions);
+    if (imported.soup.faces.cols() == 0) throw Error(cat(path, ": has no triangles"));
+    return imported;
+}
+
 }  // namespace
 
 LoadedMesh load_mesh(const std::string& path) {
     try {
-        ImportedScene imported = load_checked(path);
-        check_positions(path, imported.soup.positions);
-        if (imported.soup.faces.cols() == 0) throw Error(cat(path, ": has no triangles"));
+        ImportedScene imported = import_checked(path);
         WeldResult welded = weld(imported.soup);
         if (welded.mesh.triangles() == 0)
             throw Error(cat(path, ": all of its ", welded.dropped_zero_area, " triangles have no area"));
         return {std::move(welded.mesh), welded.dropped_zero_area, imported.points_lines,
                 welded.unused_vertices, std::move(imported.notes)};
+    } catch (const std::bad_alloc&) {
+        throw Error(cat(path, ": needs more memory than there is"));
+    }
+}
+
+LoadedPositions load_positions(const std::string& path) {
+    try {
+        ImportedScene imported = import_checked(path);
+        return {std::move(imported.soup.positions), std::move(imported.notes)};
     } catch (const std::bad_alloc&) {
         throw Error(cat(path, ": needs more memory than there is"));
     }

@@ -23,4 +23,13 @@ struct LoadedMesh {
 // Error "FILE: what is wrong (what is allowed)", with "FILE:LINE:" where a text file has a line to blame.
 LoadedMesh load_mesh(const std::string& path);
 
+struct LoadedPositions {
+    Points x;  // a column per vertex of the file, in its order [m]
+    std::vector<std::string> notes;
+};
+
+// Where the file's vertices stand, as a pose of a mesh of another file: triangles need no area, and vertices may
+// stand on one place (in formats that assimp unrolls those are one).
+LoadedPositions load_positions(const std::string& path);
+
 }  // namespace drape

@@ -57,7 +57,8 @@ struct Obstacle {
     std::string kind;
     std::shared_ptr<const Solid> solid;
     RigidMotion motion;
-    double friction = 0;  // Coulomb's coefficient between it and cloth [-]
+    double friction = 0;     // Coulomb's coefficient between it and cloth [-]
+    std::string place = {};  // where a scene says so, for messages; "" = nowhere
 };
 
 }  // namespace drape

@@ -31,16 +31,17 @@ Points place(const Placement& placement, const Points& points) {
 // Positions of another file with the same vertices in the same order.
 Points start_from_mesh(const SceneDescription& scene, const ClothDescription& cloth, const Mesh& rest,
                        std::vector<std::string>& notes) {
-    const Mesh other = load_noted(scene, cloth.start.mesh, cloth.start_mesh_place, notes);
-    if (other.file_vertex.size() != rest.file_vertex.size())
-        throw Error(cat(cloth.start_mesh_place.text, ": ", cloth.start.mesh, " has ",
-                        other.file_vertex.size(), " vertices, the cloth's mesh has ", rest.file_vertex.size(),
+    const LoadedPositions other = in_context(
+        cloth.start_mesh_place.text, [&] { return load_positions(scene.path_to(cloth.start.mesh)); });
+    for (const std::string& note : other.notes) notes.push_back(cat(cloth.start.mesh, ": ", note));
+    if (static_cast<size_t>(other.x.cols()) != rest.file_vertex.size())
+        throw Error(cat(cloth.start_mesh_place.text, ": ", cloth.start.mesh, " has ", other.x.cols(),
+                        " vertices, the cloth's mesh has ", rest.file_vertex.size(),
                         " (they must be the same, in the same order)"));
-    const Points in_order = in_file_order(other, other.rest);
     Points start = rest.rest;
     for (size_t i = 0; i < rest.file_vertex.size(); ++i)
         if (rest.file_vertex[i] >= 0)
-            start.col(rest.file_vertex[i]) = in_order.col(static_cast<Eigen::Index>(i));
+            start.col(rest.file_vertex[i]) = other.x.col(static_cast<Eigen::Index>(i));
     return place(cloth.placement, start);
 }
 
@@ -101,8 +102,8 @@ Built build_scene(const SceneDescription& scene) {
             add_pins(setup.model, find_pins(pin, cloth, setup.start.x));
     }
     for (const ObstacleDescription& obstacle : scene.obstacles)
-        setup.obstacles.push_back(
-            {obstacle.shape, make_solid(obstacle), RigidMotion(obstacle.motion), obstacle.friction});
+        setup.obstacles.push_back({obstacle.shape, make_solid(obstacle), RigidMotion(obstacle.motion),
+                                   obstacle.friction, obstacle.place.text});
     setup.world = {scene.gravity, scene.air};
     setup.world.air.seed = scene.seed;
     setup.frame_rate = scene.frame_rate;

@@ -28,7 +28,7 @@ struct Placement {
 
 struct StartDescription {
     Vec3 velocity = Vec3::Zero();
-    Vec3 scale = Vec3::Ones();  // of the rest shape about its centre, before placement
+    Vec3 scale = Vec3::Ones();  // of the rest shape about its centre, before placement; 0 flattens it
     std::string mesh;  // a file with the start positions in the same vertex order; "" = the rest shape
 };
 
@@ -91,6 +91,14 @@ struct AccuracyDescription {
     Place place;
 };
 
+// What a run of the scene should come to. Nothing depends on it: whoever runs the scene may hold drape to it.
+struct Expectation {
+    std::string outcome = "runs";          // runs, refused (exit 2) or stops (exit 4)
+    std::string because;                   // a part of the line that refuses or stops; "" = any
+    std::optional<double> largest_strain;  // of every frame, at most [-]
+    std::optional<double> fastest;         // of every frame, at most [m/s]
+};
+
 struct SceneDescription {
     std::string file;        // as given
     std::string folder;      // of the file: paths in the scene are relative to it
@@ -104,6 +112,7 @@ struct SceneDescription {
     std::vector<ObstacleDescription> obstacles;
     AirDescription air;
     LookDescription look;
+    std::optional<Expectation> expected;
 
     int frames() const;  // round(duration * frame_rate)
     std::string path_to(

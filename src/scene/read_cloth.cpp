@@ -38,7 +38,7 @@ Placement read_placement(const Value& value) {
 void read_start(const Value& value, ClothDescription& cloth) {
     const Keys keys(value, "start", {"velocity", "scale", "mesh"});
     keys.read("velocity", cloth.start.velocity, any("m/s"));
-    keys.read("scale", cloth.start.scale, positive());
+    keys.read("scale", cloth.start.scale, any());
     keys.read("mesh", cloth.start.mesh);
     if (const Value* mesh = keys.find("mesh")) cloth.start_mesh_place = mesh->place;
 }

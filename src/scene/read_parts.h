@@ -16,6 +16,7 @@ std::vector<Keyframe> read_motion(const Value&);
 AccuracyDescription read_accuracy(const Value&);
 AirDescription read_air(const Value&);
 LookDescription read_look(const Value&);
+Expectation read_expect(const Value&);
 Colour read_colour(const Value&, std::string_view name);
 
 }  // namespace drape

@@ -70,7 +70,7 @@ SceneDescription read_scene(const std::string& path, const std::vector<std::stri
     for (const std::string& assignment : overrides) apply_override(root, assignment);
     check_schema(root, path);
     const Keys keys(root, "scene file",
-                    {"schema", "scene", "accuracy", "cloth", "obstacle", "air", "render"});
+                    {"schema", "scene", "accuracy", "cloth", "obstacle", "air", "render", "expect"});
 
     SceneDescription scene;
     scene.file = path;
@@ -87,6 +87,7 @@ SceneDescription read_scene(const std::string& path, const std::vector<std::stri
     if (const Value* air = keys.find("air")) scene.air = read_air(*air);
     scene.air.seed = scene.seed;
     if (const Value* look = keys.find("render")) scene.look = read_look(*look);
+    if (const Value* expect = keys.find("expect")) scene.expected = read_expect(*expect);
     return scene;
 }
 

@@ -148,6 +148,14 @@ std::string look_text(const LookDescription& look) {
     return text + cat("overlay = ", toml(look.overlay), "\nground = ", toml(look.ground), "\n");
 }
 
+std::string expect_text(const Expectation& expected) {
+    std::string text = cat("\n[expect]\noutcome = ", toml(expected.outcome), "\n");
+    if (!expected.because.empty()) text += cat("because = ", toml(expected.because), "\n");
+    if (expected.largest_strain) text += cat("largest_strain = ", toml(*expected.largest_strain), "\n");
+    if (expected.fastest) text += cat("fastest = ", toml(*expected.fastest), "\n");
+    return text;
+}
+
 }  // namespace
 
 std::string scene_text(const SceneDescription& scene) {
@@ -160,7 +168,8 @@ std::string scene_text(const SceneDescription& scene) {
     if (scene.accuracy.budget) text += cat("budget = ", toml(*scene.accuracy.budget), "\n");
     for (const ClothDescription& cloth : scene.cloths) text += cloth_text(cloth);
     for (const ObstacleDescription& obstacle : scene.obstacles) text += obstacle_text(obstacle);
-    return text + air_text(scene.air) + look_text(scene.look);
+    text += air_text(scene.air) + look_text(scene.look);
+    return scene.expected ? text + expect_text(*scene.expected) : text;
 }
 
 }  // namespace drape

@@ -76,7 +76,7 @@ double Guard::gain(const State& state) const {
     const double at_play = kinetic + kinetic_ + std::abs(potential - weight) +
                            std::abs(potential_ - weight_) + std::abs(weight - weight_) + std::abs(driven) +
                            std::abs(dissipated) + least_energy_of_a_kilogram * mass_;
-    return gained / at_play;
+    return at_play == 0 ? 0 : gained / at_play;  // nothing is free: nothing gains
 }
 
 }  // namespace drape

@@ -14,7 +14,6 @@ namespace {
 constexpr double margin = 0.85;          // of the longest stable step that is used
 constexpr double widest_margin = 0.98;   // ... by a pass that is there to be coarser
 constexpr double measured_excess = 1.1;  // a measured fastest mode is taken to be this much faster
-constexpr int most_halvings = 30;        // of a step that crossed into an obstacle or was not solved
 
 std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
     return model.cloths.size() > 1 ? cat(stage, " (cloth ", cloth + 1, ")") : std::string(stage);
@@ -95,8 +94,9 @@ void Simulation::choose_step() {
     const double usual = usual_step(*method_);
     double wanted = setup_.step.value_or(usual);
     if (setup_.keep_stable && !method_->is_implicit()) wanted = std::min(wanted, margin * longest_);
-    step_ = 1 / setup_.frame_rate / (steps_a_frame(wanted) * std::exp2(halvings_));
-    pace_ = step_ / usual;
+    const double frame_time = 1 / setup_.frame_rate;
+    step_ = frame_time / (steps_a_frame(wanted) * std::exp2(halvings_));
+    pace_ = step_ / std::min(usual, frame_time);
     // springs set no limit there, contact does
     if (method_->projects_springs) pace_ = std::min(pace_, 1.0);
 }

@@ -171,6 +171,7 @@ TEST_CASE("the same scene gives the same frames, whatever else is asked", "[app]
     CHECK(hashes("b", {"--threads", "1", "--cache", folder.file("c.pc2")}) == plain);
     CHECK(hashes("c", {"--set", "render.ground=false"}) == plain);
     CHECK(hashes("d", {"--set", "scene.gravity=[0, -9.8, 0]"}) != plain);
+    CHECK(hashes("e", {"--set", "expect={ outcome = \"stops\" }"}) == plain);
 }
 
 TEST_CASE("an interrupted run resumes to the same bits", "[app]") {

@@ -233,3 +233,21 @@ TEST_CASE("every mesh that is written loads again with the same vertices in the 
         }
     }
 }
+
+TEST_CASE("a pose's positions come in the file's order, on one place or without area too", "[io]") {
+    const TemporaryFolder folder;
+    for (const std::string third : {"1 0 0", "0.5 0 0"}) {
+        const std::string obj = folder.file("pose.obj", "v 0 0 0\nv 1 0 0\nv " + third + "\nf 1 2 3\n");
+        const std::string ply =
+            folder.file("pose.ply", ply_with("0 0 0\n1 0 0\n" + third + "\n", "3 0 1 2\n"));
+        for (const std::string& path : {obj, ply}) {
+            CAPTURE(path, third);
+            const Points x = load_positions(path).x;
+            REQUIRE(x.cols() == 3);
+            CHECK(x.col(1) == Vec3(1, 0, 0));
+            CHECK(x.col(2) == (third == "1 0 0" ? Vec3(1, 0, 0) : Vec3(0.5, 0, 0)));
+            CHECK_THROWS_AS(load_mesh(path), Error);
+        }
+    }
+    CHECK_THROWS_AS(load_positions(folder.file("none.obj")), Error);
+}

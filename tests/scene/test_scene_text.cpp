@@ -53,8 +53,13 @@ gust = { strength = 0.2 }
 camera = { from = [1, 2, 3], at = [0, 0, 0] }
 overlay = "wire"
 ground = false
+[expect]
+outcome = "runs"
+largest_strain = 0.1
+fastest = 12.5
 )";
-    for (const std::string& source : {rich, with_cloth("")}) {
+    const std::string refused = "[expect]\noutcome = \"refused\"\nbecause = \"no \\\"area\\\"\"\n";
+    for (const std::string& source : {rich, with_cloth(""), with_cloth(refused)}) {
         const std::string text = scene_text(scene_of(source));
         CAPTURE(text);
         CHECK(scene_text(scene_of(text)) == text);

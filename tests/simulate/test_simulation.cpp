@@ -123,3 +123,22 @@ TEST_CASE("a frame that no halving of its step saves ends in trouble, with the l
         }
     }
 }
+
+TEST_CASE("a cloth of pins alone goes where they go, under every method", "[simulate]") {
+    const RigidMotion motion = carry(0.1, 0.4, {0.2, 0, 0}, {0, 90, 0});
+    for (const Method& method : methods()) {
+        for (const bool moves : {false, true}) {
+            if (method.conservative_only()) continue;  // refused with an obstacle
+            Setup setup = scene_of(square(1), full_fabric(), {0, 1, 2, 3}, moves ? motion : RigidMotion());
+            setup.obstacles.push_back(sphere({0, -0.6, 0}, 0.5));
+            setup.method = method.name;
+            const Points start = setup.start.x;
+            Simulation simulation(std::move(setup));
+            CAPTURE(method.name, moves);
+            run(simulation);
+            const Pose pose = moves ? motion.at(1).pose : Pose();
+            for (int i = 0; i < 4; ++i)
+                CHECK((simulation.state().x.col(i) - pose * start.col(i)).norm() < 1e-12);
+        }
+    }
+}
