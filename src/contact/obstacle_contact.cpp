@@ -249,8 +249,8 @@ double ObstacleContact::lift_out(Points& x, const Model& model, double most) con
             const SurfaceSample s = sample(pose, value_at(point, x.data()));
             if (s.distance < -most)
                 throw Error(cat(obstacle_.place.empty() ? "" : obstacle_.place + ": ", "cloth starts ",
-                                -s.distance, " m inside the ", obstacle_.kind,
-                                " (move one of them: at most ", most, " m is put right)"));
+                                -s.distance, " m inside the ", obstacle_.kind, " (move one of them: at most ",
+                                most, " m is put right)"));
             const double missing = wanted - s.distance;
             if (missing < 1e-6 * barrier_.thickness) continue;
             for (int k = 0; k < point.corners; ++k) {

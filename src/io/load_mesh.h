@@ -28,8 +28,8 @@ struct LoadedPositions {
     std::vector<std::string> notes;
 };
 
-// Where the file's vertices stand, as a pose of a mesh of another file: triangles need no area, and vertices may
-// stand on one place (in formats that assimp unrolls those are one).
+// Where the file's vertices stand, as a pose of a mesh of another file: triangles need no area, and vertices
+// may stand on one place (in formats that assimp unrolls those are one).
 LoadedPositions load_positions(const std::string& path);
 
 }  // namespace drape

@@ -31,8 +31,8 @@ Points place(const Placement& placement, const Points& points) {
 // Positions of another file with the same vertices in the same order.
 Points start_from_mesh(const SceneDescription& scene, const ClothDescription& cloth, const Mesh& rest,
                        std::vector<std::string>& notes) {
-    const LoadedPositions other = in_context(
-        cloth.start_mesh_place.text, [&] { return load_positions(scene.path_to(cloth.start.mesh)); });
+    const LoadedPositions other = in_context(cloth.start_mesh_place.text,
+                                             [&] { return load_positions(scene.path_to(cloth.start.mesh)); });
     for (const std::string& note : other.notes) notes.push_back(cat(cloth.start.mesh, ": ", note));
     if (static_cast<size_t>(other.x.cols()) != rest.file_vertex.size())
         throw Error(cat(cloth.start_mesh_place.text, ": ", cloth.start.mesh, " has ", other.x.cols(),

@@ -14,7 +14,8 @@ Expectation read_expect(const Value& value) {
         if (runs) fail(because->key_place, "because goes with refused or stops only (leave it out)");
         expected.because = as_text(*because, "because");
     }
-    const auto read_bound = [&](std::string_view key, std::optional<double>& bound, const Quantity& quantity) {
+    const auto read_bound = [&](std::string_view key, std::optional<double>& bound,
+                                const Quantity& quantity) {
         const Value* given = keys.find(key);
         if (!given) return;
         if (!runs) fail(given->key_place, key, " goes with runs only (leave it out)");

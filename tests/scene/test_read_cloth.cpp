@@ -66,7 +66,8 @@ TEST_CASE("place and start read; a start may be flattened or mirrored, a rest sh
     CHECK(cloth.start_mesh_place.text.ends_with("scene.toml:5:61"));
     CHECK(error_of(with_cloth("place = { scale = 0 }\n")) ==
           "scene.toml:4:19: scale must be positive, got 0");
-    CHECK(scene_of(with_cloth("start = { scale = [0, -1, 1] }\n")).cloths.at(0).start.scale == Vec3(0, -1, 1));
+    CHECK(scene_of(with_cloth("start = { scale = [0, -1, 1] }\n")).cloths.at(0).start.scale ==
+          Vec3(0, -1, 1));
 }
 
 TEST_CASE("a pin says which vertices in exactly one way", "[scene]") {
