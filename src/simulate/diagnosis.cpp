@@ -90,7 +90,7 @@ std::string why_it_ran_away(const Dynamics& dynamics, const State& state, const 
 }
 
 std::string why_no_step(const Dynamics& dynamics, double time) {
-    if (dynamics.touch().crossed)
+    if (dynamics.touch().crossed || dynamics.touch().contacts > 0)
         return cat("cloth was pushed into an obstacle at t = ", time,
                    " s and no step, however short, keeps it out");
     return cat("no step from t = ", time, " s, however short, could be solved for");

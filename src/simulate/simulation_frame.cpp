@@ -93,7 +93,7 @@ FrameReport Simulation::try_frame() {
     runs_away_ = false;
     for (double left = end_time - state_.time; left > instant * end_time; left = end_time - state_.time) {
         const double wanted = left / std::ceil(left / allowed_step() * (1 - instant));
-        const double h = guarded_step(wanted, report);
+        const double h = wanted > instant * end_time ? guarded_step(wanted, report) : 0;
         ++report.steps;
         report.shortest_step = std::min(report.shortest_step, h);
         if (h == 0) {
