@@ -97,7 +97,7 @@ TEST_CASE("a scene without cloth is refused", "[scene]") {
 TEST_CASE("an unknown key is refused at its place and the nearest known one is named", "[scene]") {
     CHECK(error_of("schema = 1\n[[clot]]\n") ==
           "scene.toml:2:3: unknown scene file key \"clot\"; did you mean \"cloth\"? (known: schema, scene, "
-          "accuracy, cloth, obstacle, air, render)");
+          "accuracy, cloth, obstacle, air, render, expect)");
     CHECK(error_of(with_cloth("[scene]\n  framerate = 30\n")) ==
           "scene.toml:5:3: unknown scene key \"framerate\"; did you mean \"frame_rate\"? (known: name, "
           "duration, "
