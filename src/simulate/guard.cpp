@@ -66,7 +66,7 @@ bool Guard::step_holds(In v) const {
 }
 
 double Guard::gain(const State& state) const {
-    if (!knows_drive_) return 0;
+    if (!knows_drive_ || mass_ == 0) return 0;  // where nothing is free, nothing gains
     const double kinetic = kinetic_energy(state.v);
     const double potential = dynamics_.potential_energy(state.x, state.time);
     const double weight = weight_energy(state.x);
@@ -76,7 +76,7 @@ double Guard::gain(const State& state) const {
     const double at_play = kinetic + kinetic_ + std::abs(potential - weight) +
                            std::abs(potential_ - weight_) + std::abs(weight - weight_) + std::abs(driven) +
                            std::abs(dissipated) + least_energy_of_a_kilogram * mass_;
-    return at_play == 0 ? 0 : gained / at_play;  // nothing is free: nothing gains
+    return gained / at_play;
 }
 
 }  // namespace drape
