@@ -33,21 +33,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t largest_plot = std::uint64_t{64} << 20;  // [bytes]
 
-std::vector<const Method*> methods_of(const StudyRequest& request) {
-    std::vector<const Method*> asked;
-    for (const std::string& name : request.methods) asked.push_back(&method_named(name));
-    if (asked.empty())
-        for (const Method& method : methods()) asked.push_back(&method);
-    return asked;
-}
-
-std::string shell_word(const std::string& word) {
-    const bool plain = word.find_first_not_of(
-                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                           "_-./=:,+") == std::string::npos;
-    return plain && !word.empty() ? word : "'" + word + "'";
-}
-
 // The command that makes this study again.
 std::string command_of(const StudyRequest& request) {
     std::string command = "drape study " + shell_word(request.scene);
@@ -105,7 +90,7 @@ Exit study_scene(const StudyRequest& request) {
     options.until = request.until;
     options.repeats = request.repeats;
     options.budget = request.budget;
-    options.methods = methods_of(request);
+    options.methods = methods_named(request.methods);
     if (!request.quiet)
         options.say = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
     const std::string out =

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "integrate/dynamics.h"
 
@@ -63,5 +65,8 @@ std::span<const Method> methods();
 
 // Throws Error naming the nearest known method.
 const Method& method_named(std::string_view name);
+
+// The same for several, in that order; all there are where none is named.
+std::vector<const Method*> methods_named(const std::vector<std::string>& names);
 
 }  // namespace drape

@@ -155,4 +155,12 @@ const Method& method_named(std::string_view name) {
     return find_named(table, "method", name);
 }
 
+std::vector<const Method*> methods_named(const std::vector<std::string>& names) {
+    std::vector<const Method*> named;
+    for (const std::string& name : names) named.push_back(&method_named(name));
+    if (names.empty())
+        for (const Method& method : table) named.push_back(&method);
+    return named;
+}
+
 }  // namespace drape

@@ -4,31 +4,20 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "study/numbers.h"
+#include "study/csv.h"
 
 namespace drape {
 
 namespace {
 
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
-}
-
-std::string known(double value) {
-    return std::isfinite(value) ? figure(value, 9) : "";
-}
-
 std::string row(const Rung& rung) {
-    std::string text = cat(rung.method->name, ",", rung.steps_a_frame, ",", known(rung.step), ",",
+    std::string text = cat(rung.method->name, ",", rung.steps_a_frame, ",", csv_number(rung.step), ",",
                            rung.good()           ? "ok"
                            : rung.failed.empty() ? "left out"
                                                  : "failed",
                            ",");
     const bool ran = rung.good();
-    const auto value = [&](double v) { text += (ran ? known(v) : "") + ","; };
+    const auto value = [&](double v) { text += (ran ? csv_number(v) : "") + ","; };
     const auto count = [&](long n) { text += (ran ? std::to_string(n) : "") + ","; };
     value(rung.errors.final_rms);
     value(rung.errors.final_max);
@@ -46,7 +35,7 @@ std::string row(const Rung& rung) {
     count(rung.pass.sweeps);
     count(rung.pass.solver.factorisations);
     count(rung.pass.solver.iterations);
-    return text + known(rung.predicted_cpu) + "," + quoted(rung.failed + rung.left_out) + "\n";
+    return text + csv_number(rung.predicted_cpu) + "," + csv_text(rung.failed + rung.left_out) + "\n";
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// study.csv: a row per rung, run or not; SI units; what is not known is empty. Comma separated, fields with
-// commas or quotes quoted as RFC 4180 has it.
+// study.csv: a row per rung, run or not; SI units; what is not known is empty.
 #pragma once
 
 #include <string>

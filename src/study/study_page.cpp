@@ -11,31 +11,6 @@ namespace drape {
 
 namespace {
 
-constexpr const char* style =
-    "body{font:16px/1.55 system-ui,-apple-system,'Segoe UI',sans-serif;color:#222;background:#fff;"
-    "max-width:70rem;margin:2.5rem auto;padding:0 1.25rem}"
-    "h1{font-size:1.8rem;line-height:1.2;margin:0 0 .3rem}h2{font-size:1.2rem;margin:2.4rem 0 .5rem}"
-    "p,li{max-width:46rem}.answer li{max-width:none}.lead{color:#555;margin:0 0 1.5rem}"
-    "ul.answer{list-style:none;padding:.9rem 1.2rem;margin:0;background:#f5f7f9;border-left:4px solid "
-    "#0072b2}"
-    "figure{margin:1.2rem 0}figcaption{color:#555;font-size:.9rem;max-width:46rem}"
-    "svg{max-width:100%;height:auto}.wide{overflow-x:auto}"
-    "table{border-collapse:collapse;font-size:.86rem;font-variant-numeric:tabular-nums;white-space:nowrap}"
-    "th,td{padding:.22rem .7rem;border-bottom:1px solid #e3e3e3;text-align:left}"
-    "th{border-bottom:2px solid "
-    "#999;font-weight:600}.n{text-align:right}.w{white-space:normal;min-width:24rem}"
-    "tbody tr:hover{background:#f7f7f7}code{background:#f3f3f3;padding:.1rem .3rem}";
-
-std::string section(const std::string& title, const std::string& body) {
-    return "<section>\n<h2>" + escaped(title) + "</h2>\n" + body + "</section>\n";
-}
-
-std::string figure_of(const std::string& svg, const std::string& prefix, const std::string& caption) {
-    if (svg.empty()) return "";
-    return "<figure>" + inlined_svg(svg, prefix, caption) + "<figcaption>" + escaped(caption) +
-           "</figcaption></figure>\n";
-}
-
 std::string error_text(const Rung& rung) {
     return (rung.errors.below_bar ? "< " : "") + length_text(rung.errors.final_rms);
 }
@@ -190,20 +165,15 @@ std::string study_page(const Study& study, const StudyPlots& plots, const Proven
                   figure_of(plots.error_over_time, "b_",
                             "Each method's cheapest run that ends below 1 mm, or its most accurate one.")
             : paragraph("No plots: " + plots.trouble + ".");
-    std::string page =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width, initial-scale=1\">\n<title>" +
-        escaped("Error against run time: " + study.scene) + "</title>\n<style>" + style +
-        "</style>\n</head>\n<body>\n<h1>Error against run time</h1>\n<p class=\"lead\">" +
-        escaped(cat(study.scene, "; ", study.probe.window)) + "</p>\n" + answer + figures;
-    page += section("Order of convergence", orders(study));
-    page += section("All runs", statistics(study));
-    page += section("What failed and why", failures(study));
-    page += section("What errors are measured against", reference_text(study));
-    if (study.refinement) page += section("The mesh's own error", refinement_text(study));
-    page += section("How to read this", how_to_read());
-    page += section("How it was made", made_by(study, provenance));
-    return page + "</body>\n</html>\n";
+    std::string body = answer + figures;
+    body += section("Order of convergence", orders(study));
+    body += section("All runs", statistics(study));
+    body += section("What failed and why", failures(study));
+    body += section("What errors are measured against", reference_text(study));
+    if (study.refinement) body += section("The mesh's own error", refinement_text(study));
+    body += section("How to read this", how_to_read());
+    body += section("How it was made", made_by(study, provenance));
+    return html_page("Error against run time", study.scene, study.probe.window, body);
 }
 
 }  // namespace drape

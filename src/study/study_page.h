@@ -3,15 +3,10 @@
 
 #include <string>
 
+#include "study/provenance.h"
 #include "study/study.h"
 
 namespace drape {
-
-// What made the results, so that they can be made again.
-struct Provenance {
-    std::string command, drape_version, gnuplot_version, sundials_version, processor;
-    unsigned cores = 0;
-};
 
 struct StudyPlots {
     std::string error_time, error_over_time;  // SVG

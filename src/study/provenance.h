@@ -1,0 +1,16 @@
+// What made the results, so that they can be made again.
+#pragma once
+
+#include <string>
+
+namespace drape {
+
+struct Provenance {
+    std::string command, drape_version, gnuplot_version, sundials_version, processor;
+    unsigned cores = 0;
+};
+
+// A word of a command, quoted where a shell would make more or less of it.
+std::string shell_word(const std::string& word);
+
+}  // namespace drape
