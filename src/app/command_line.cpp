@@ -155,6 +155,25 @@ Action declare_study(CLI::App& verb) {
     return [study] { return study_scene(*study); };
 }
 
+Action declare_stability(CLI::App& verb) {
+    auto map = std::make_shared<StabilityRequest>();
+    verb.add_option("SCENE", map->scene, "try methods on this scene's cloth (default: small built-in ones)");
+    verb.add_option("--out", map->out, "folder of the results (default: renders/stability)")
+        ->type_name("DIR");
+    verb.add_option("--set", map->set, "change a value of the scene; may be given again")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb.add_option("--method", map->methods, "only this method; may be given again (default: all)")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    verb.add_option("--threads", map->threads, "how many threads (default: one per core)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    verb.add_flag("--full", map->full, "every mesh with every option, on a finer grid: takes hours");
+    verb.add_flag("--quiet", map->quiet, "print nothing but errors");
+    return [map] { return map_stability(*map); };
+}
+
 Action declare_mesh(CLI::App& verb) {
     auto wanted = std::make_shared<PatternOptions>();
     verb.add_option("PATTERN", wanted->pattern, "drape list patterns")->required();
@@ -184,6 +203,7 @@ constexpr std::array verbs{
     Verb{"inspect", "Say what a scene uses and costs, or what a mesh is like; nothing is run",
          declare_inspect},
     Verb{"study", "Measure error against run time of every method on a scene", declare_study},
+    Verb{"stability", "Map at which springs and steps every method is stable", declare_stability},
     Verb{"mesh", "Write a generated cloth mesh", declare_mesh},
     Verb{"list", "Print the names a scene or a command may use", declare_list},
 };

@@ -5,7 +5,7 @@ _drape() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study mesh list --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study stability mesh list --help --version" -- "$word")
         return
     fi
     case $previous in
@@ -25,6 +25,7 @@ _drape() {
         simulate) words="$run --cache" ;;
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
+        stability) words="--out --set --method --threads --full --quiet --help" ;;
         mesh) words="one_way alternating -o --size --divisions --help" ;;
         list) words="scenes fabrics methods obstacles patterns --help" ;;
         *) return ;;

@@ -40,6 +40,16 @@ struct StudyRequest {
     bool quiet = false;
 };
 
+struct StabilityRequest {
+    std::string scene;                 // "" = built-in cloths
+    std::string out;                   // "" = renders/stability
+    std::vector<std::string> set;      // KEY=VALUE
+    std::vector<std::string> methods;  // none = all
+    int threads = 0;                   // 0 = as many as there are cores
+    bool full = false;                 // every mesh with every option, on a finer grid
+    bool quiet = false;
+};
+
 struct PatternOptions {
     std::string pattern, file;
     std::array<double, 2> size{1, 1};      // width, depth [m]

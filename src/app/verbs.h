@@ -11,6 +11,7 @@ namespace drape {
 Exit run_scene(const RunOptions& options);                                         // render, simulate
 Exit inspect(const std::string& path, const std::vector<std::string>& overrides);  // a scene or a mesh
 Exit study_scene(const StudyRequest& request);
+Exit map_stability(const StabilityRequest& request);
 Exit write_pattern(const PatternOptions& options);
 Exit list_kinds(const std::string& kind);  // "" = all
 

@@ -1,0 +1,30 @@
+// What a stability map says of each method, in one line.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "study/stability_map.h"
+
+namespace drape {
+
+// Over all cloths.
+struct StabilityCount {
+    std::array<int, 6> cells{};  // by state
+    int total = 0;
+    // every cell up to this share of the theoretical limit holds, and how far that was tried; none: no limit,
+    // or none in the steps that were tried
+    std::optional<double> up_to;
+    double tried_to = 0;
+
+    int of(Stability state) const { return cells[static_cast<size_t>(state)]; }
+    int failed() const;  // gained energy, went beyond bounds or was refused
+};
+
+StabilityCount count_cells(const StabilityMap& map, std::string_view name);
+
+// "verlet: stable up to 0.98 of the theoretical limit; 84 of 120 cells (unbounded 30, gains energy 6)"
+std::string summary_of(const StabilityMap& map, std::string_view name);
+
+}  // namespace drape

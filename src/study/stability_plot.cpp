@@ -1,0 +1,170 @@
+#include "study/stability_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "study/plot_style.h"
+
+namespace drape {
+
+namespace {
+
+// all in pixels
+constexpr int most_columns = 5;
+constexpr double panel_width = 196, panel_height = 168, gap_across = 46, gap_down = 66;
+constexpr double left = 74, right = 20, bottom = 58, top = 84;
+
+// Half a cell on a log axis, as a factor.
+double half_of(const std::vector<double>& grid) {
+    return grid.size() > 1 ? std::sqrt(grid[1] / grid[0]) : 2;
+}
+
+struct Frame {
+    double half_stiffness, half_step;
+    double x_low, x_high, y_low, y_high;
+};
+
+Frame frame_of(const StabilityMap& map, const StabilityFigure& figure) {
+    const double x = half_of(map.stiffness), y = half_of(map.step);
+    double shortest = map.step.front(), longest = map.step.back();
+    for (const StabilityPanel& panel : figure.panels) {
+        for (const StabilityCell* cell : panel.cells) {
+            if (!(cell->step > 0)) continue;
+            shortest = std::min(shortest, cell->step);
+            longest = std::max(longest, cell->step);
+        }
+    }
+    return {x, y, map.stiffness.front() / x, map.stiffness.back() * x, shortest / y, longest * y};
+}
+
+// The panel's cells of one state, as boxes; neighbours along the step are one box.
+std::string boxes(const StabilityPanel& panel, const Frame& frame, Stability state) {
+    std::string text;
+    double from = 0, to = 0, stiffness = 0;
+    const auto finish = [&] {
+        if (to > 0)
+            text += cat(stiffness, " ", std::sqrt(from * to), " ", stiffness / frame.half_stiffness, " ",
+                        stiffness * frame.half_stiffness, " ", from, " ", to, "\n");
+        to = 0;
+    };
+    for (const StabilityCell* cell : panel.cells) {
+        if (!cell->on_grid) continue;
+        const bool shown = cell->verdict.state == state;
+        if (!shown || cell->stiffness != stiffness) finish();
+        if (!shown) continue;
+        if (to == 0) from = cell->step / frame.half_step;
+        stiffness = cell->stiffness;
+        to = cell->step * frame.half_step;
+    }
+    finish();
+    return text;
+}
+
+// Stiffness and theoretical limit; "" for methods that have none.
+std::string limit_line(const StabilityPanel& panel) {
+    std::string text;
+    double before = 0;
+    for (const StabilityCell* cell : panel.cells) {
+        if (!std::isfinite(cell->limit) || cell->stiffness == before) continue;
+        before = cell->stiffness;
+        text += cat(cell->stiffness, " ", cell->limit, "\n");
+    }
+    return text;
+}
+
+constexpr const char* limit_style = "with lines lc rgb '#000000' lw 2 dt (6,3)";
+
+// Data blocks named `name`, which outlive the plot, and the command that plots them.
+struct PanelText {
+    std::string data, plot;
+};
+
+PanelText panel_text(const StabilityPanel& panel, const Frame& frame, const std::string& name) {
+    PanelText text;
+    const auto add = [&](const std::string& block, const std::string& data, const std::string& how) {
+        if (data.empty()) return;
+        text.data += cat("$", block, " << EOD\n", data, "EOD\n");
+        text.plot += cat(text.plot.empty() ? "plot " : ", \\\n     ", "$", block, " ", how, " notitle");
+    };
+    for (size_t s = 0; s < stability_kinds().size(); ++s)
+        add(cat(name, "_", s), boxes(panel, frame, static_cast<Stability>(s)),
+            cat("with boxxyerror fs solid 1 noborder lc rgb '", stability_kinds()[s].colour, "'"));
+    add(name + "_limit", limit_line(panel), limit_style);
+    return text;
+}
+
+std::string legend() {
+    std::string text =
+        "unset logscale\nunset border\nunset tics\nunset title\nunset xlabel\nunset ylabel\n"
+        "set key at graph 0.02,0.98 left top Left reverse noenhanced samplen 2 spacing 1.35 font ',12'\n"
+        "plot [0:1][0:1] ";
+    for (const StabilityKind& kind : stability_kinds())
+        text += cat("NaN with boxes fs solid 1 noborder lc rgb '", kind.colour, "' title ",
+                    plot_quoted(std::string(kind.name)), ", \\\n     ");
+    return text + "NaN " + limit_style + " title 'theoretical limit'\n";
+}
+
+std::string figure_text(const StabilityMap& map, const StabilityFigure& figure) {
+    const Frame frame = frame_of(map, figure);
+    const int slots = static_cast<int>(figure.panels.size()) + 1, columns = std::min(slots, most_columns),
+              rows = (slots + columns - 1) / columns;
+    const double width = left + right + columns * panel_width + (columns - 1) * gap_across,
+                 height = bottom + top + rows * panel_height + (rows - 1) * gap_down;
+    std::string data,
+        body = cat("set multiplot layout ", rows, ",", columns, " margins screen ", left / width, ",",
+                   1 - right / width, ",", bottom / height, ",", 1 - top / height, " spacing screen ",
+                   gap_across / width, ",", gap_down / height, " title ", plot_quoted(figure.title),
+                   " noenhanced font ',16'\n");
+    body += cat(
+        "set logscale xy\nset border 31 lc rgb '#777777'\nset tics out nomirror textcolor rgb '#333333' font "
+        "',10'\nset format xy '10^{%L}'\nset xtics 1e-2,1e3\nset ytics 1e-6,10\nset clip two\nunset key\n",
+        "set xrange [", frame.x_low, ":", frame.x_high, "]\nset yrange [", frame.y_low, ":", frame.y_high,
+        "]\n");
+    for (int i = 0; i + 1 < slots; ++i) {
+        const StabilityPanel& panel = figure.panels[static_cast<size_t>(i)];
+        const PanelText text = panel_text(panel, frame, cat("m", i));
+        const bool leftmost = i % columns == 0, lowest = i + columns + 1 >= slots;
+        data += text.data;
+        body += cat("set title ", plot_quoted(panel.title), " noenhanced font ',12' offset 0,-0.4\n",
+                    leftmost ? "set ylabel 'step [s]' font ',11'\n" : "unset ylabel\n",
+                    lowest ? "set xlabel 'spring constant [N/m]' font ',11'\n" : "unset xlabel\n", text.plot,
+                    "\n");
+    }
+    body += legend() + "unset multiplot\n";
+    const std::string size =
+        cat(" size ", width, ",", height, " font 'Helvetica,12' background rgb 'white'\n");
+    return cat("reset\nset encoding utf8\n", data, "set terminal svg enhanced", size, "set output '",
+               figure.file, ".svg'\n", body, "reset\nset encoding utf8\nset terminal pngcairo enhanced", size,
+               "set output '", figure.file, ".png'\n", body, "set output\n\n");
+}
+
+std::string cloth_title(const StabilityCloth& cloth) {
+    return cloth.mesh + ", " + cloth.options;
+}
+
+}  // namespace
+
+std::vector<StabilityFigure> figures_of(const StabilityMap& map) {
+    std::vector<StabilityFigure> figures;
+    StabilityFigure chosen{"auto", "Drape's own choice of method and step", {}};
+    for (size_t c = 0; c < map.cloths.size(); ++c) {
+        const StabilityCloth& cloth = map.cloths[c];
+        StabilityFigure figure{cloth.file, "Stability: " + cloth_title(cloth), {}};
+        for (const std::string_view name : map.names())
+            if (StabilityPanel panel{std::string(name), map.cells_of(c, name)}; !panel.cells.empty())
+                figure.panels.push_back(std::move(panel));
+        chosen.panels.push_back({cloth_title(cloth), map.cells_of(c, auto_name)});
+        if (figure.panels.size() > 1) figures.push_back(std::move(figure));
+    }
+    if (map.cloths.size() > 1) figures.push_back(std::move(chosen));
+    return figures;
+}
+
+std::string stability_script(const StabilityMap& map) {
+    std::string text = "# drape's stability maps; gnuplot 5 or later\n";
+    for (const StabilityFigure& figure : figures_of(map)) text += figure_text(map, figure);
+    return text;
+}
+
+}  // namespace drape

@@ -1,0 +1,58 @@
+// `drape stability` from the command line.
+#include <catch2/catch.hpp>
+
+#include "support/run_program.h"
+#include "support/temporary_folder.h"
+
+using namespace drape;
+using namespace drape::test;
+
+TEST_CASE("drape stability leaves a csv, maps and a page, and nothing half-written", "[study]") {
+    const TemporaryFolder folder;
+    const std::string out = folder.file("out");
+    const Ran ran = run_drape({"stability", "--out", out, "--method", "verlet"});
+    CAPTURE(ran.err);
+    CHECK(ran.exit_code == 0);
+    CHECK_THAT(ran.out, Catch::StartsWith("verlet: stable up to ") && Catch::Contains("\nauto: "));
+    std::vector<std::string> left;
+    for (const auto& entry : std::filesystem::directory_iterator(out))
+        left.push_back(entry.path().filename());
+    CHECK_THAT(left, Catch::UnorderedEquals(std::vector<std::string>{"alternating.png", "alternating.svg",
+                                                                     "auto.png", "auto.svg", "index.html",
+                                                                     "plots.gp", "stability.csv"}));
+    CHECK_THAT(bytes_of(out + "/stability.csv"), Catch::Contains("\nauto,slivers,"));
+    CHECK_THAT(bytes_of(out + "/index.html"),
+               Catch::Contains("f0_gnuplot") && Catch::Contains("f1_gnuplot") && Catch::Contains("</html>"));
+}
+
+TEST_CASE("drape stability takes a scene's cloth", "[study]") {
+    const TemporaryFolder folder;
+    const std::string scene =
+        folder.file("tiny.toml",
+                    "schema = 1\n[scene]\nname = \"tiny <one>\"\nduration = 0.1\nframe_rate = 20\n"
+                    "[[cloth]]\npattern = { name = \"alternating\", size = [1, 1], divisions = [2, 2] }\n"
+                    "fabric = \"cotton\"\npins = [{ near = [0.5, 0, 0.5] }]\n");
+    const std::string out = folder.file("out");
+    const Ran ran =
+        run_drape({"stability", scene, "--out", out, "--method", "verlet", "--threads", "2", "--quiet"});
+    CAPTURE(ran.err);
+    CHECK(ran.exit_code == 0);
+    CHECK(ran.err.empty());
+    CHECK(ran.out.empty());
+    CHECK_THAT(bytes_of(out + "/stability.csv"), Catch::Contains("\nverlet,tiny <one>,as in the scene,"));
+    CHECK_THAT(bytes_of(out + "/index.html"), Catch::Contains("tiny &lt;one&gt;"));
+}
+
+TEST_CASE("what stability cannot do is one line", "[study]") {
+    const TemporaryFolder folder;
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"stability", "--method", "verlett"},
+          {"stability", "--set", "scene.duration=1"},
+          {"stability", "nowhere"}}) {
+        const Ran ran = run_drape(words, folder.path());
+        CAPTURE(ran.err);
+        CHECK(ran.exit_code == 2);
+        CHECK(ran.error_lines() == 1);
+        CHECK(folder.files() == 0);
+    }
+}
