@@ -108,7 +108,7 @@ Exit map_stability(const StabilityRequest& request) {
 #else
 
 Exit map_stability(const StabilityRequest&) {
-    throw Error("this drape was built without `stability` (build with DRAPE_STUDY=ON)");
+    throw Error("this drape was built without `stability` (build with DRAPE_STUDY=ON, which needs SUNDIALS)");
 }
 
 #endif

@@ -8,7 +8,7 @@
 namespace drape {
 
 int StabilityCount::failed() const {
-    return total - of(Stability::stable) - of(Stability::lossy);
+    return total - of(Stability::stable) - of(Stability::lossy) - of(Stability::left_out);
 }
 
 StabilityCount count_cells(const StabilityMap& map, std::string_view name) {
@@ -19,7 +19,7 @@ StabilityCount count_cells(const StabilityMap& map, std::string_view name) {
         if (cell.name() != name) continue;
         ++count.total;
         ++count.cells[static_cast<size_t>(cell.verdict.state)];
-        if (!std::isfinite(cell.limit) || cell.verdict.state == Stability::refused) continue;
+        if (!std::isfinite(cell.limit) || cell.verdict.state >= Stability::refused) continue;
         const double share = cell.step / cell.limit;
         shares.push_back(share);
         if (!holds(cell.verdict.state)) first_failed = std::min(first_failed, share);

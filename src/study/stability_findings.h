@@ -11,7 +11,7 @@ namespace drape {
 
 // Over all cloths.
 struct StabilityCount {
-    std::array<int, 6> cells{};  // by state
+    std::array<int, 7> cells{};  // by state
     int total = 0;
     // every cell up to this share of the theoretical limit holds, and how far that was tried; none: no limit,
     // or none in the steps that were tried

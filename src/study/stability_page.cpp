@@ -69,12 +69,14 @@ std::string how_to_read(const StabilityMap& map) {
                    "of them decides, and the first that does not hold ends the cell. Each run has exactly "
                    "the cell's step: nothing shortens it and nothing is tried again. Its energy balance is "
                    "drawn four times: kinetic, elastic and gravitational energy, less what moving pins put "
-                   "in, plus what damping and drag took, against all the energies at play.")) +
+                   "in, plus what damping and drag took, against all the energies at play. A cell that would "
+                   "cost more than ",
+                   trial.most_work, " evaluations of the forces has fewer runs; the csv says how many.")) +
            table({"state", "means"}, rows, 2) +
            paragraph(
                "The dashed line is the longest step at which the method keeps every mode of small motion "
-               "about the start bounded. Soft cloth stretches far, and its modes change; near the line's own "
-               "place the energy of explicit methods swings. Explicit methods are tried near the line too, "
+               "about the start bounded. Soft cloth stretches far, and its modes change with it. "
+               "Explicit methods are tried near the line too, "
                "in cells that the maps do not show and the csv holds.") +
            paragraph(
                cat("auto is drape as it runs where nothing is asked: it chooses method and step, guards "

@@ -105,35 +105,50 @@ std::string legend() {
     return text + "NaN " + limit_style + " title 'theoretical limit'\n";
 }
 
+// A figure's panels and, after the last, its legend.
+struct Layout {
+    int slots, columns, rows;
+    double width, height;  // [pixels]
+
+    explicit Layout(size_t panels)
+        : slots(static_cast<int>(panels) + 1),
+          columns(std::min(slots, most_columns)),
+          rows((slots + columns - 1) / columns),
+          width(left + right + columns * panel_width + (columns - 1) * gap_across),
+          height(bottom + top + rows * panel_height + (rows - 1) * gap_down) {}
+
+    bool is_leftmost(int slot) const { return slot % columns == 0; }
+    bool is_lowest(int slot) const { return slot + columns >= slots - 1; }  // of the panels
+};
+
+std::string all_panels(const StabilityFigure& figure, const Layout& layout, const Frame& frame) {
+    return cat("set multiplot title ", plot_quoted(figure.title), " noenhanced font ',16' layout ",
+               layout.rows, ",", layout.columns, " margins ", left / layout.width, ",",
+               1 - right / layout.width, ",", bottom / layout.height, ",", 1 - top / layout.height,
+               " spacing ", gap_across / layout.width, ",", gap_down / layout.height,
+               "\nset logscale xy\nset border 31 lc rgb '#777777'\n",
+               "set tics out nomirror textcolor rgb '#333333' font ',10'\nset format xy '10^{%L}'\n",
+               "set xtics 1e-2,1e3\nset ytics 1e-6,10\nset clip two\nunset key\nset xrange [", frame.x_low,
+               ":", frame.x_high, "]\nset yrange [", frame.y_low, ":", frame.y_high, "]\n");
+}
+
 std::string figure_text(const StabilityMap& map, const StabilityFigure& figure) {
     const Frame frame = frame_of(map, figure);
-    const int slots = static_cast<int>(figure.panels.size()) + 1, columns = std::min(slots, most_columns),
-              rows = (slots + columns - 1) / columns;
-    const double width = left + right + columns * panel_width + (columns - 1) * gap_across,
-                 height = bottom + top + rows * panel_height + (rows - 1) * gap_down;
-    std::string data,
-        body = cat("set multiplot layout ", rows, ",", columns, " margins screen ", left / width, ",",
-                   1 - right / width, ",", bottom / height, ",", 1 - top / height, " spacing screen ",
-                   gap_across / width, ",", gap_down / height, " title ", plot_quoted(figure.title),
-                   " noenhanced font ',16'\n");
-    body += cat(
-        "set logscale xy\nset border 31 lc rgb '#777777'\nset tics out nomirror textcolor rgb '#333333' font "
-        "',10'\nset format xy '10^{%L}'\nset xtics 1e-2,1e3\nset ytics 1e-6,10\nset clip two\nunset key\n",
-        "set xrange [", frame.x_low, ":", frame.x_high, "]\nset yrange [", frame.y_low, ":", frame.y_high,
-        "]\n");
-    for (int i = 0; i + 1 < slots; ++i) {
-        const StabilityPanel& panel = figure.panels[static_cast<size_t>(i)];
-        const PanelText text = panel_text(panel, frame, cat("m", i));
-        const bool leftmost = i % columns == 0, lowest = i + columns + 1 >= slots;
+    const Layout layout(figure.panels.size());
+    std::string data, body = all_panels(figure, layout, frame);
+    for (int slot = 0; slot + 1 < layout.slots; ++slot) {
+        const StabilityPanel& panel = figure.panels[static_cast<size_t>(slot)];
+        const PanelText text = panel_text(panel, frame, cat("m", slot));
         data += text.data;
-        body += cat("set title ", plot_quoted(panel.title), " noenhanced font ',12' offset 0,-0.4\n",
-                    leftmost ? "set ylabel 'step [s]' font ',11'\n" : "unset ylabel\n",
-                    lowest ? "set xlabel 'spring constant [N/m]' font ',11'\n" : "unset xlabel\n", text.plot,
-                    "\n");
+        body +=
+            cat("set title ", plot_quoted(panel.title), " noenhanced font ',12' offset 0,-0.4\n",
+                layout.is_leftmost(slot) ? "set ylabel 'step [s]' font ',11'\n" : "unset ylabel\n",
+                layout.is_lowest(slot) ? "set xlabel 'spring constant [N/m]' font ',11'\n" : "unset xlabel\n",
+                text.plot, "\n");
     }
     body += legend() + "unset multiplot\n";
     const std::string size =
-        cat(" size ", width, ",", height, " font 'Helvetica,12' background rgb 'white'\n");
+        cat(" size ", layout.width, ",", layout.height, " font 'Helvetica,12' background rgb 'white'\n");
     return cat("reset\nset encoding utf8\n", data, "set terminal svg enhanced", size, "set output '",
                figure.file, ".svg'\n", body, "reset\nset encoding utf8\nset terminal pngcairo enhanced", size,
                "set output '", figure.file, ".png'\n", body, "set output\n\n");

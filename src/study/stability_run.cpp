@@ -11,7 +11,8 @@ namespace drape {
 
 namespace {
 
-constexpr int looks = 4;  // at a run's energy, evenly spaced
+constexpr long factorisation_work = 40;  // in evaluations of the forces, of the built-in cloths
+constexpr int looks = 4;                 // at a run's energy, evenly spaced
 
 double mean_edge(const Model& model) {
     double sum = 0;
@@ -102,22 +103,31 @@ void book_all(Dynamics& dynamics, const State& state, double step, const EnergyF
     dynamics.book(step);
 }
 
-void run_steps(Dynamics& dynamics, const Method& method, State state, double step, int steps, Watch& watch) {
+// False where that would take more than `most_work`; takes what it took from there.
+bool run_steps(Dynamics& dynamics, const Method& method, State state, double step, int steps, Watch& watch,
+               long& most_work) {
     const std::unique_ptr<Integrator> integrator = method.make();
     const bool books = method.projects_springs && !dynamics.is_conservative();
+    const long began = dynamics.sweeps(), allowed = most_work;
     Points scratch;
     for (int look = 0; look < looks; ++look) {
         integrator->begin(dynamics, state, step);
         for (int i = 0; i < steps / looks; ++i) {
             const EnergyFlow before = dynamics.flow();
-            if (!integrator->step(dynamics, state, step))
-                return watch.refuse(cat("no solution of the step to t = ", state.time + step, " s"));
+            if (!integrator->step(dynamics, state, step)) {
+                watch.refuse(cat("no solution of the step to t = ", state.time + step, " s"));
+                return true;
+            }
             if (books) book_all(dynamics, state, step, before, scratch);
-            if (!watch.goes_on(state)) return;
+            if (!watch.goes_on(state)) return true;
+            most_work = allowed - (dynamics.sweeps() - began) -
+                        factorisation_work * integrator->work().factorisations;
+            if (most_work < 0) return false;
         }
         integrator->end(dynamics, state, step);
-        if (!watch.look(state)) return;
+        if (!watch.look(state)) return true;
     }
+    return true;
 }
 
 Verdict refused(double step, const Error& error) {
@@ -145,11 +155,18 @@ Verdict judge_method(const Setup& setup, const Method& method, double step, doub
     const double duration = step * trial.steps, way = jitter_of(setup, omega, duration);
     Verdict verdict;
     verdict.step = step;
+    long most_work = trial.most_work;
     while (verdict.runs < trial.runs && holds(verdict.state)) {
-        const State start = jittered(setup, way, verdict.runs++);
+        const State start = jittered(setup, way, verdict.runs);
         dynamics.reset_flow({});
         Watch watch(verdict, *simulation, setup.world.gravity, start, duration);
-        run_steps(dynamics, method, start, step, trial.steps, watch);
+        if (!run_steps(dynamics, method, start, step, trial.steps, watch, most_work)) {
+            if (verdict.runs > 0) break;
+            verdict.state = Stability::left_out;
+            verdict.why = cat("a run takes more than ", trial.most_work, " evaluations of the forces");
+            break;
+        }
+        ++verdict.runs;
     }
     return verdict;
 }

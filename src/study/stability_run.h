@@ -10,8 +10,11 @@ namespace drape {
 
 // How a cell is tried.
 struct Trial {
-    int runs = 10;        // each from a start of its own; the first that does not hold ends the cell
-    int steps = 80;       // of each, whatever their length
+    int runs = 10;   // each from a start of its own; the first that does not hold ends the cell
+    int steps = 80;  // of each, whatever their length
+    // of each cell, in evaluations of the forces: a run that would pass it is dropped, and with the first run
+    // the cell is left out
+    long most_work = 100'000;
     int auto_frames = 6;  // of each run of drape's own choice, at 30 frames a second
 };
 
@@ -19,7 +22,7 @@ struct Verdict {
     Stability state = Stability::stable;
     double step = 0;              // [s]
     double gained = 0, lost = 0;  // most at any look, of the energy at play
-    int runs = 0;                 // that were made
+    int runs = 0;                 // that were finished
     std::string method, why;      // what auto chose; where it was refused: the reason
 };
 

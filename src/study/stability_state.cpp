@@ -18,6 +18,7 @@ constexpr std::array kinds{
     StabilityKind{"not finite", "#3a1212", "numbers overflow"},
     StabilityKind{"refused", "#9a9a9a",
                   "the method is not for such cloth, or found no solution of a step and said so"},
+    StabilityKind{"left out", "#ececec", "a single run would have cost more than a cell may"},
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace drape {
 
-enum class Stability { stable, lossy, gains_energy, unbounded, not_finite, refused };
+enum class Stability { stable, lossy, gains_energy, unbounded, not_finite, refused, left_out };
 
 struct StabilityKind {
     std::string_view name;
