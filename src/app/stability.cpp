@@ -60,9 +60,9 @@ StabilityOptions options_of(const StabilityRequest& request) {
 // The command that makes this map again.
 std::string command_of(const StabilityRequest& request) {
     std::string command = "drape stability";
-    if (!request.scene.empty()) command += " " + shell_word(request.scene);
-    for (const std::string& set : request.set) command += " --set " + shell_word(set);
-    for (const std::string& method : request.methods) command += " --method " + shell_word(method);
+    if (!request.scene.empty()) command += cat(" ", shell_word(request.scene));
+    for (const std::string& set : request.set) command += cat(" --set ", shell_word(set));
+    for (const std::string& method : request.methods) command += cat(" --method ", shell_word(method));
     return command + (request.full ? " --full" : "");
 }
 
