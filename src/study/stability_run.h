@@ -15,7 +15,7 @@ struct Trial {
     // of each cell, in evaluations of the forces: a run that would pass it is dropped, and with the first run
     // the cell is left out
     long most_work = 100'000;
-    int auto_frames = 15;  // of each run of drape's own choice, at 30 frames a second
+    int auto_frames = 3;  // of each run of drape's own choice, at 30 frames a second
 };
 
 struct Verdict {
