@@ -97,7 +97,8 @@ PanelText panel_text(const StabilityPanel& panel, const Frame& frame, const std:
 std::string legend() {
     std::string text =
         "unset logscale\nunset border\nunset tics\nunset title\nunset xlabel\nunset ylabel\n"
-        "set key at graph 0.02,0.98 left top Left reverse noenhanced samplen 2 spacing 1.35 font ',12'\n"
+        "set key at graph 0.02,0.98 left top Left reverse noenhanced maxcols 1 samplen 2 spacing 1.15 font "
+        "',11'\n"
         "plot [0:1][0:1] ";
     for (const StabilityKind& kind : stability_kinds())
         text += cat("NaN with boxes fs solid 1 noborder lc rgb '", kind.colour, "' title ",
