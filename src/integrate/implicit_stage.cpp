@@ -1,16 +1,20 @@
 #include "integrate/implicit_stage.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace drape {
 
 namespace {
 
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int most_halvings = 30, most_friction_rounds = 4;
 constexpr double enough = 1e-4;                             // of the descent that the slope promises (Armijo)
 constexpr double fine_length = 1e-10, fine_part = 1e-7;     // [m]; of what a vertex moves in a stage
 constexpr double coarse_length = 1e-7, coarse_part = 1e-4;  // the same
+constexpr double fine_acceleration = 1e-5;                  // [m/s^2], a millionth of the Earth's
 
 }  // namespace
 
@@ -113,10 +117,13 @@ double StageSolver::coarse_move(const Stage& stage) const {
     return coarse_length + coarse_part * typical_move(stage);
 }
 
-// Elastic forces only hold vertices back: none goes farther than it would freely.
-bool StageSolver::is_settled(const Stage& stage, double way) const {
-    const Points free_fall = now_.residual * dynamics_.model().inverse_mass.asDiagonal();
-    return stage.c * stage.c * largest_move(free_fall) < way;
+// Elastic forces only hold vertices back: none goes farther than it would freely. Short steps move a vertex
+// by less than any length that matters, and yet what each leaves out adds up: for them the acceleration
+// counts, as far as rounding of the positions lets it be known.
+bool StageSolver::is_settled(const Stage& stage) const {
+    const double left = largest_move(now_.residual * dynamics_.model().inverse_mass.asDiagonal());
+    const double square = stage.c * stage.c, rounding = 4 * epsilon * now_.x.cwiseAbs().maxCoeff();
+    return left * square < fine_move(stage) && left < std::max(fine_acceleration, rounding / square);
 }
 
 bool StageSolver::settle(const Stage& stage) {

@@ -50,8 +50,8 @@ protected:
     // Moves now_ by as much of the direction as lowers Phi enough, and sets `length` to how much that was;
     // next_ is then where it was. False if no part of it does.
     bool search(const Stage& stage, const Points& direction, double& length);
-    // Nothing that is left to do moves a vertex by more than `way`.
-    bool is_settled(const Stage& stage, double way) const;
+    // Nothing that is left to do moves a vertex, or accelerates it, by as much as matters.
+    bool is_settled(const Stage& stage) const;
     // Far below any method's own error; where rounding ends the progress earlier, the second will do [m].
     double fine_move(const Stage& stage) const;
     double coarse_move(const Stage& stage) const;

@@ -51,7 +51,7 @@ bool NewtonSolver::leap(const Stage& stage, double most, int tried) {
 StageSolver::Outcome NewtonSolver::improve(const Stage& stage, int round) {
     if (round == 0) last_move_ = INFINITY;
     const double fine = fine_move(stage), coarse = coarse_move(stage);
-    if (is_settled(stage, fine)) return Outcome::converged;
+    if (is_settled(stage)) return Outcome::converged;
     const Points way = direction(stage, now_);
     const double move = largest_move(way);
     if (!std::isfinite(move)) return Outcome::stuck;

@@ -95,7 +95,7 @@ bool ProjectiveSolver::is_done(const Stage& stage) const {
 }
 
 StageSolver::Outcome ProjectiveSolver::improve(const Stage& stage, int round) {
-    if (is_settled(stage, fine_move(stage))) return Outcome::converged;
+    if (is_settled(stage)) return Outcome::converged;
     ++rounds_;
     contact_.setZero(now_.x.cols());
     dynamics_.add_contact_majorant(now_.x, now_.v, stage.time, stage.c, contact_);
