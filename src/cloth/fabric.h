@@ -34,8 +34,9 @@ struct Fabric {
     BendingKind bending_kind = BendingKind::none;
     double bending =
         0;  // bending rigidity B [N m]; for BendingKind::spring a fraction of the stretch stiffness
-    double poisson = 0.3;  // of bending, plates only [-]
-    double damping = 0;    // ratio of critical for a single spring, [-]
+    double poisson = 0.3;         // of bending, plates only [-]
+    double damping = 0;           // ratio of critical for a single spring, [-]
+    double weighed_in = 9.80665;  // gravity in which its bending length is measured [m/s^2]
 };
 
 struct FabricPreset {

@@ -62,10 +62,9 @@ DRAPE_WIDE void multiply(const int* row, const int* column, const double* value,
 }  // namespace
 
 double bending_relaxation_time(const Cloth& cloth, double fastest_bend_squared) {
-    constexpr double standard_gravity = 9.80665;  // [m/s^2]
     const Fabric& fabric = cloth.fabric;
     if (fabric.damping == 0 || fabric.bending == 0 || fastest_bend_squared == 0) return 0;
-    const double length = std::cbrt(fabric.bending / (fabric.density * standard_gravity));
+    const double length = std::cbrt(fabric.bending / (fabric.density * fabric.weighed_in));
     const double omega = std::sqrt(fabric.bending / fabric.density) / (length * length);
     Eigen::VectorXd rows = Eigen::VectorXd::Zero(cloth.vertices());
     for (const Spring& spring : cloth.network.edges) {

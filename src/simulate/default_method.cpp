@@ -18,8 +18,9 @@ void Simulation::choose_method() {
     take_method(method, because);
     if (setup_.step) {
         if (*setup_.step > longest_)
-            take_method(implicit_choice, cat("the step asked for is beyond the longest stable one of ",
-                                             method, ", ", longest_, " s"));
+            take_method(
+                *setup_.step > far_beyond * longest_ ? bounded_choice : implicit_choice,
+                cat("the step asked for is beyond the longest stable one of ", method, ", ", longest_, " s"));
         return;
     }
     const Method& implicit = method_named(implicit_choice);

@@ -33,7 +33,8 @@ Spectrum gershgorin_spectrum(const Dynamics& dynamics, In x, ForceShare share) {
 
 double measured_omega(Dynamics& dynamics, In x, ForceShare share) {
     // a difference of accelerations over a way far below an edge, far above round-off
-    const double reach = 1e-7 * (1 + x.cwiseAbs().maxCoeff());
+    const double extent = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+    const double reach = std::max(1e-7 * extent, 1e-9 * x.cwiseAbs().maxCoeff());
     // in the norm that makes M^-1 K symmetric
     const Eigen::VectorXd& mass = dynamics.model().mass;
     const auto product = [&](const Points& a, const Points& b) {
