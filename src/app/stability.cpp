@@ -50,6 +50,7 @@ StabilityOptions options_of(const StabilityRequest& request) {
     options.stiffness = decades(1e-2, 1e9, request.full ? 2 : 1);
     options.step = decades(1e-5, 0.1, request.full ? 6 : 4);
     options.methods = methods_named(request.methods);
+    if (request.scene.empty()) options.recovery_trials = 10;
     options.threads =
         request.threads > 0 ? request.threads : static_cast<int>(std::thread::hardware_concurrency());
     if (!request.quiet)
@@ -87,6 +88,7 @@ Exit map_stability(const StabilityRequest& request) {
     const StabilityMap map = make_stability_map(std::move(subject.cloths), subject.whole, options);
 
     write_file(out + "/stability.csv", stability_csv(map));
+    if (!map.recoveries.empty()) write_file(out + "/collapse.csv", recovery_csv(map.recoveries));
     Provenance provenance{command_of(request),
                           std::string(version),
                           "",
@@ -97,6 +99,7 @@ Exit map_stability(const StabilityRequest& request) {
     write_file(out + "/index.html", stability_page(map, plots, provenance));
     if (!request.quiet) {
         for (const std::string_view name : map.names()) std::printf("%s\n", summary_of(map, name).c_str());
+        for (const std::string& line : recovery_summary(map.recoveries)) std::printf("%s\n", line.c_str());
         std::printf("%.1f CPU s\n%s/index.html\n", map.cpu_seconds, out.c_str());
     }
     if (!plots.trouble.empty())

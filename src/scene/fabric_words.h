@@ -14,13 +14,13 @@ struct Word {
     Choice choice;
 };
 
-constexpr std::array stretch_words{
+inline constexpr std::array stretch_words{
     Word<StretchModel>{"force_per_strain", StretchModel::force_per_strain},
     Word<StretchModel>{"spring_constant", StretchModel::spring_constant},
     Word<StretchModel>{"membrane", StretchModel::membrane},
 };
 
-constexpr std::array altitude_words{
+inline constexpr std::array altitude_words{
     Word<AltitudeMode>{"none", AltitudeMode::none},
     Word<AltitudeMode>{"all", AltitudeMode::all},
     Word<AltitudeMode>{"shortest", AltitudeMode::shortest},
@@ -28,7 +28,7 @@ constexpr std::array altitude_words{
     Word<AltitudeMode>{"blend", AltitudeMode::blend},
 };
 
-constexpr std::array bending_words{
+inline constexpr std::array bending_words{
     Word<BendingKind>{"none", BendingKind::none},
     Word<BendingKind>{"plate", BendingKind::plate},
     Word<BendingKind>{"hinge", BendingKind::hinge},

@@ -27,8 +27,8 @@ DRAPE_WIDE double weighted_squares(const double* weight, const double* value, Ei
 
 }  // namespace
 
-Guard::Guard(const Dynamics& dynamics, const Vec3& gravity, bool knows_drive)
-    : dynamics_(dynamics), gravity_(gravity), knows_drive_(knows_drive) {
+Guard::Guard(const Dynamics& dynamics, const Vec3& gravity, Books books)
+    : dynamics_(dynamics), gravity_(gravity), books_(books) {
     const Model& model = dynamics.model();
     half_mass_.resize(3 * model.vertices());
     for (int i = 0; i < model.vertices(); ++i) {
@@ -61,12 +61,12 @@ void Guard::begin_frame(const State& state, double duration) {
 
 bool Guard::step_holds(In v) const {
     const double kinetic = kinetic_energy(v);
-    if (!knows_drive_) return std::isfinite(kinetic);
+    if (!books_.drive) return std::isfinite(kinetic);
     return kinetic <= slack * (available_ + std::max(dynamics_.flow().driven - flow_.driven, 0.0));
 }
 
 double Guard::gain(const State& state) const {
-    if (!knows_drive_ || mass_ == 0) return 0;  // where nothing is free, nothing gains
+    if (!books_.drive || !books_.springs || mass_ == 0) return 0;  // where nothing is free, nothing gains
     const double kinetic = kinetic_energy(state.v);
     const double potential = dynamics_.potential_energy(state.x, state.time);
     const double weight = weight_energy(state.x);

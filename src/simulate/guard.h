@@ -5,11 +5,17 @@
 
 namespace drape {
 
+// What a method accounts for.
+struct Books {
+    bool drive = true;    // what moving pins put in; without that there is no balance to draw
+    bool springs = true;  // forces of springs: sweeps of projections leave stiff ones stretched, and that
+                          // energy is never set free
+};
+
 class Guard {
 public:
-    // `gravity` [m/s^2]. `knows_drive`: the method books what moving pins put in; without that there is no
-    // balance to draw.
-    Guard(const Dynamics& dynamics, const Vec3& gravity, bool knows_drive);
+    // `gravity` [m/s^2].
+    Guard(const Dynamics& dynamics, const Vec3& gravity, Books books);
 
     // Takes stock before a frame of `duration` [s].
     void begin_frame(const State& state, double duration);
@@ -31,7 +37,7 @@ private:
 
     const Dynamics& dynamics_;
     Vec3 gravity_;
-    bool knows_drive_;
+    Books books_;
     Eigen::VectorXd half_mass_;                        // of every coordinate, 0 where pinned [kg]
     double mass_ = 0;                                  // free [kg]
     double kinetic_ = 0, potential_ = 0, weight_ = 0;  // at the frame's start [J]

@@ -38,8 +38,8 @@ void Simulation::take_method(std::string_view method, std::string because) {
                         joined(dynamics_->losses()), " (verlet, rk4 and embedded_rk take any)"));
     integrator_ = method_->make();
     // where springs project, nobody counts what moving pins pull at them
-    const bool knows_drive = !method_->projects_springs || !has_moving_pins(setup_.model);
-    guard_.emplace(*dynamics_, setup_.world.gravity, knows_drive);
+    const bool drive = !method_->projects_springs || !has_moving_pins(setup_.model);
+    guard_.emplace(*dynamics_, setup_.world.gravity, Books{drive, !method_->projects_springs});
     choose_step();
 }
 

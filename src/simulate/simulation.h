@@ -63,8 +63,7 @@ inline constexpr double usual_implicit_step = 0.0025, usual_projecting_step = 0.
 
 class Simulation {
 public:
-    // Throws Error where cloth starts inside an obstacle or the method is not for such a scene. `threads` is
-    // not used to change any result.
+    // Throws Error where cloth starts inside an obstacle or the method is not for such a scene.
     explicit Simulation(Setup setup);
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;

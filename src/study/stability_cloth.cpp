@@ -14,6 +14,7 @@ namespace drape {
 namespace {
 
 constexpr int divisions = 4, across = divisions + 1;
+constexpr double small_strain = 0.1;
 constexpr double spacing = 1.0 / divisions;  // [m]
 
 Mesh regular() {
@@ -79,13 +80,7 @@ Setup held_at_two_corners(const Mesh& mesh, const Fabric& fabric) {
 }
 
 double mean_spring_constant(const Model& model) {
-    double sum = 0;
-    size_t count = 0;
-    for (const Cloth& cloth : model.cloths) {
-        for (const Spring& spring : cloth.network.edges) sum += spring.stiffness;
-        count += cloth.network.edges.size();
-    }
-    return sum / static_cast<double>(count);
+    return mean_over_springs(model, &Spring::stiffness);
 }
 
 }  // namespace
@@ -112,6 +107,16 @@ std::vector<StabilityCloth> built_in_cloths() {
         }
     }
     return cloths;
+}
+
+double mean_over_springs(const Model& model, double Spring::*value) {
+    double sum = 0;
+    size_t count = 0;
+    for (const Cloth& cloth : model.cloths) {
+        for (const Spring& spring : cloth.network.edges) sum += spring.*value;
+        count += cloth.network.edges.size();
+    }
+    return sum / static_cast<double>(count);
 }
 
 StabilityCloth cloth_of_scene(const std::string& name, const Setup& setup) {
@@ -154,7 +159,10 @@ SmallMotion small_motion(const Setup& setup) {
         const double damping = gershgorin_spectrum(simulation.dynamics(), x, share).gamma;
         return Spectrum{measured_omega(simulation.dynamics(), x, share), damping};
     };
-    return {spectrum(ForceShare::all), spectrum(ForceShare::unprojected)};
+    const double weight = setup.model.mass.sum() * setup.world.gravity.norm();
+    const double stretched = weight / mean_spring_constant(setup.model);
+    return {spectrum(ForceShare::all), spectrum(ForceShare::unprojected),
+            stretched < small_strain * mean_over_springs(setup.model, &Spring::rest_length)};
 }
 
 }  // namespace drape

@@ -23,6 +23,9 @@ std::vector<StabilityCloth> built_in_cloths();
 // A scene's cloths, pins and fabrics under its gravity, without its obstacles and its air.
 StabilityCloth cloth_of_scene(const std::string& name, const Setup& setup);
 
+// Mean of a property of the edge springs of all cloths.
+double mean_over_springs(const Model& model, double Spring::*value);
+
 // Stretch and bending scaled alike so that edge springs are of `stiffness` on average [N/m].
 Setup with_spring_constant(const Setup& setup, double stiffness);
 
@@ -30,6 +33,7 @@ Setup with_spring_constant(const Setup& setup, double stiffness);
 // method which projects springs takes explicitly.
 struct SmallMotion {
     Spectrum all, unprojected;
+    bool is_small = true;  // the cloth's weight on one spring would stretch it by less than a tenth
     // The longest step at which `method` keeps every mode bounded [s]; infinite if it does with any.
     double limit(const Method& method) const;
 };

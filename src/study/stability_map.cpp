@@ -30,6 +30,7 @@ void add_cells(StabilityMap& map, size_t cloth, const std::vector<const Method*>
         cell.limit = limit;
         cell.on_grid = on_grid;
         cell.omega = samples[k].motion.all.omega;
+        cell.is_soft = !samples[k].motion.is_small;
         map.cells.push_back(std::move(cell));
     };
     for (const Method* method : methods) {
@@ -116,6 +117,7 @@ StabilityMap make_stability_map(std::vector<StabilityCloth> cloths, size_t whole
         add_cells(map, c, c < whole ? options.methods : std::vector<const Method*>{}, of_cloth);
     }
     judge_all(map, samples, options);
+    if (options.recovery_trials > 0) map.recoveries = measure_recovery(options.recovery_trials);
     map.cpu_seconds = process_cpu_seconds() - began;
     return map;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "study/collapse.h"
 #include "study/stability_cloth.h"
 #include "study/stability_run.h"
 
@@ -19,7 +20,8 @@ struct StabilityOptions {
     std::vector<double> step;            // the same [s]
     std::vector<const Method*> methods;  // to be tried
     Trial trial;
-    int threads = 1;  // not used to change any result
+    int recovery_trials = 0;  // of every altitude mode
+    int threads = 1;          // not used to change any result
     std::function<void(const std::string&)> say = [](const std::string&) {};
 };
 
@@ -35,6 +37,7 @@ struct StabilityCell {
     double stiffness = 0, step = 0;  // [N/m], [s]
     double limit = INFINITY;         // the longest stable step by theory [s]
     bool on_grid = true;             // false: near the limit
+    bool is_soft = false;            // the cloth's weight stretches it far, and its modes change with that
     double omega = 0;                // of the fastest mode [1/s]
     Verdict verdict;
 
@@ -46,6 +49,7 @@ struct StabilityMap {
     std::vector<double> stiffness, step;  // the grid [N/m], [s]
     std::vector<StabilityCell> cells;     // cloth by cloth, method by method, auto last
     Trial trial;
+    std::vector<Recovery> recoveries;  // empty: not measured
     double cpu_seconds = 0;
 
     std::vector<const StabilityCell*> cells_of(size_t cloth, std::string_view name) const;

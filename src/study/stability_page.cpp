@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "scene/fabric_words.h"
 #include "study/html.h"
 #include "study/numbers.h"
 #include "study/stability_findings.h"
@@ -26,16 +27,33 @@ std::string maps(const StabilityMap& map, const StabilityPlots& plots) {
 }
 
 std::string counts(const StabilityMap& map) {
-    std::vector<std::string> head{"method", "up to, of the limit", "cells"};
+    std::vector<std::string> head{"method", "up to, of the limit", "where soft", "cells"};
     for (const StabilityKind& kind : stability_kinds()) head.emplace_back(kind.name);
     std::vector<std::vector<std::string>> rows;
     for (const std::string_view name : map.names()) {
         const StabilityCount count = count_cells(map, name);
+        const auto share = [](std::optional<double> value) { return value ? figure(*value) : "-"; };
         rows.push_back(
-            {std::string(name), count.up_to ? figure(*count.up_to) : "-", std::to_string(count.total)});
+            {std::string(name), share(count.up_to), share(count.soft_up_to), std::to_string(count.total)});
         for (const int cells : count.cells) rows.back().push_back(std::to_string(cells));
     }
     return table(head, rows, 1);
+}
+
+std::string collapses(const StabilityMap& map) {
+    std::vector<std::vector<std::string>> rows;
+    for (const Recovery& r : map.recoveries)
+        rows.push_back({std::string(word_for(altitude_words, r.mode)), std::string(name_of(r.start)),
+                        std::to_string(r.collapsed), std::to_string(r.recovered),
+                        figure(100.0 * r.recovered / r.collapsed), std::to_string(r.stopped)});
+    return table({"altitude springs", "start", "collapsed", "came back", "%", "runs stopped"}, rows, 2) +
+           paragraph(
+               "Sheets without weight, two damped seconds later. Thrown: held along the border, inner "
+               "vertices up to "
+               "one and a half edges out of place. Squashed: free, to a fiftieth of the width. A triangle "
+               "with less "
+               "than a tenth of its area, or turned over, is collapsed; one that ends with more than half of "
+               "it has come back.");
 }
 
 // What was refused and why, each reason once.
@@ -75,9 +93,11 @@ std::string how_to_read(const StabilityMap& map) {
            table({"state", "means"}, rows, 2) +
            paragraph(
                "The dashed line is the longest step at which the method keeps every mode of small motion "
-               "about the start bounded. Soft cloth stretches far, and its modes change with it. "
-               "Explicit methods are tried near the line too, "
-               "in cells that the maps do not show and the csv holds.") +
+               "about the start bounded. Cloth is soft where its weight on one spring would stretch that by "
+               "a "
+               "tenth or more: its modes change as it stretches, and so does what is stable. Explicit "
+               "methods "
+               "are tried near the line too, in cells that the maps do not show and the csv holds.") +
            paragraph(
                cat("auto is drape as it runs where nothing is asked: it chooses method and step, guards "
                    "every frame, and is run for ",
@@ -101,6 +121,7 @@ std::string stability_page(const StabilityMap& map, const StabilityPlots& plots,
     std::string body = answer + "</ul>\n" + maps(map, plots);
     body += section("Cells by state", counts(map));
     body += section("What was refused", refusals(map));
+    if (!map.recoveries.empty()) body += section("Collapsed triangles that come back", collapses(map));
     body += section("How to read this", how_to_read(map));
     body += section("How it was made", made_by(map, provenance));
     const std::string subject = map.cloths.size() == 1 ? map.cloths[0].mesh : "built-in cloths";

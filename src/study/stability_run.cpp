@@ -6,6 +6,7 @@
 #include <random>
 
 #include "base/error.h"
+#include "study/stability_cloth.h"
 
 namespace drape {
 
@@ -14,21 +15,12 @@ namespace {
 constexpr long factorisation_work = 40;  // in evaluations of the forces, of the built-in cloths
 constexpr int looks = 4;                 // at a run's energy, evenly spaced
 
-double mean_edge(const Model& model) {
-    double sum = 0;
-    size_t count = 0;
-    for (const Cloth& cloth : model.cloths) {
-        for (const Spring& spring : cloth.network.edges) sum += spring.rest_length;
-        count += cloth.network.edges.size();
-    }
-    return sum / static_cast<double>(count);
-}
-
 // How far starts are moved: a thousandth of an edge, but no farther than leaves the fastest mode, and so
 // every mode, under a hundredth of the kinetic energy that a free fall of `duration` gives: a jitter is there
 // to be different every time, not to be what the run is about.
 double jitter_of(const Setup& setup, double omega, double duration) {
-    const double small = 1e-3 * mean_edge(setup.model), g = setup.world.gravity.norm();
+    const double small = 1e-3 * mean_over_springs(setup.model, &Spring::rest_length),
+                 g = setup.world.gravity.norm();
     if (g == 0 || omega == 0) return small;
     return std::min(small, 0.1 * g * duration / omega);
 }
@@ -52,7 +44,7 @@ public:
     Watch(Verdict& verdict, Simulation& simulation, const Vec3& gravity, const State& start, double duration)
         : verdict_(verdict),
           guard_(simulation.dynamics(), gravity,
-                 !simulation.method().projects_springs || !has_moving_pins(simulation.model())) {
+                 Books{!simulation.method().projects_springs || !has_moving_pins(simulation.model())}) {
         guard_.begin_frame(start, duration);
     }
 

@@ -10,7 +10,7 @@ using namespace drape::test;
 
 TEST_CASE("the guard lets a fall pass and stops speeds that no energy was there for", "[simulate]") {
     Simulation simulation(swatch(8, 200));
-    Guard guard(simulation.dynamics(), {0, -9.81, 0}, true);
+    Guard guard(simulation.dynamics(), {0, -9.81, 0}, {});
     State state = simulation.state();
     guard.begin_frame(state, 0.05);
     CHECK(guard.step_holds(state.v));
@@ -20,12 +20,12 @@ TEST_CASE("the guard lets a fall pass and stops speeds that no energy was there 
     CHECK_FALSE(guard.step_holds(state.v));
     state.v(1, 40) = NAN;
     CHECK_FALSE(guard.step_holds(state.v));
-    CHECK_FALSE(Guard(simulation.dynamics(), {0, -9.81, 0}, false).step_holds(state.v));
+    CHECK_FALSE(Guard(simulation.dynamics(), {0, -9.81, 0}, {.drive = false}).step_holds(state.v));
 }
 
 TEST_CASE("the balance of a frame counts what came and went", "[simulate]") {
     Simulation simulation(flag());
-    Guard guard(simulation.dynamics(), {0, -9.81, 0}, true);
+    Guard guard(simulation.dynamics(), {0, -9.81, 0}, {});
     const State before = simulation.state();
     guard.begin_frame(before, 0.05);
     REQUIRE(simulation.advance().trouble.empty());

@@ -17,9 +17,9 @@ TEST_CASE("drape stability leaves a csv, maps and a page, and nothing half-writt
     std::vector<std::string> left;
     for (const auto& entry : std::filesystem::directory_iterator(out))
         left.push_back(entry.path().filename());
-    CHECK_THAT(left, Catch::UnorderedEquals(std::vector<std::string>{"alternating.png", "alternating.svg",
-                                                                     "auto.png", "auto.svg", "index.html",
-                                                                     "plots.gp", "stability.csv"}));
+    CHECK_THAT(left, Catch::UnorderedEquals(std::vector<std::string>{
+                         "alternating.png", "alternating.svg", "collapse.csv", "auto.png", "auto.svg",
+                         "index.html", "plots.gp", "stability.csv"}));
     CHECK_THAT(bytes_of(out + "/stability.csv"), Catch::Contains("\nauto,slivers,"));
     CHECK_THAT(bytes_of(out + "/index.html"),
                Catch::Contains("f0_gnuplot") && Catch::Contains("f1_gnuplot") && Catch::Contains("</html>"));
