@@ -252,6 +252,10 @@ int run_command_line(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "drape: out of memory\n");
         return static_cast<int>(Exit::went_wrong);
+    } catch (const std::exception& error) {
+        // what a library throws: no threads, a folder that goes away
+        std::fprintf(stderr, "drape: %s\n", error.what());
+        return static_cast<int>(Exit::went_wrong);
     }
 }
 

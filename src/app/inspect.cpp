@@ -11,6 +11,7 @@
 #include "scene/reader.h"
 #include "scene/scene_text.h"
 #include "simulate/predicted_cost.h"
+#include "simulate/ways.h"
 
 namespace drape {
 
@@ -53,11 +54,39 @@ void print_plan(const Plan& plan) {
                     stage.because.c_str());
 }
 
-void print_step(const Simulation& simulation, bool to_tolerance) {
+// How a run of the scene goes about it: the way that it tries first, and those that it may turn to.
+struct Course {
+    Setup first;
+    std::vector<Way> then;
+    const char* estimate;  // how the error is
+};
+
+Course course_of(const Setup& setup, const AccuracyDescription& accuracy) {
+    if (!accuracy.tolerance && !accuracy.budget)
+        return {setup, {}, "not quite as much again (--no-estimate leaves it out)"};
+    const Ways ways = accuracy.tolerance ? ways_to(setup, *accuracy.tolerance) : ways_within_budget(setup);
+    Course course{{}, {}, "a tolerance is asked: such passes until it is met"};
+    std::vector<Way> all;
+    if (ways.rough) all.push_back(*ways.rough);
+    all.push_back(ways.usual);
+    if (ways.fine) all.push_back(*ways.fine);
+    // within a budget the rough way is for want of time
+    const size_t first = !accuracy.tolerance && ways.rough ? 1 : 0;
+    if (!accuracy.tolerance)
+        course.estimate = "if the budget has time; steps are as many as it affords, these are the fewest";
+    course.first = pass_along(all[first], setup, 1);
+    for (size_t i = 0; i < all.size(); ++i)
+        if (i != first) course.then.push_back(all[i]);
+    return course;
+}
+
+void print_step(const Simulation& simulation, const Course& course) {
     const PredictedCost cost = predicted_cost(simulation);
     std::printf("step\n");
     std::printf("  method              %.*s: %s\n", static_cast<int>(simulation.method().name.size()),
                 simulation.method().name.data(), simulation.chosen_because().c_str());
+    for (const Way& way : course.then)
+        std::printf("  or                  %s: %s\n", way.method.c_str(), way.because.c_str());
     std::printf("  guaranteed stable   %.4g s (Gershgorin's bound)\n", simulation.guaranteed_step());
     std::printf("  longest stable      %.4g s (fastest mode measured, less 10 %%)\n",
                 simulation.longest_step());
@@ -67,9 +96,7 @@ void print_step(const Simulation& simulation, bool to_tolerance) {
     std::printf("  simulate            %.3g CPU s (%.3g ms a step%s)\n", cost.seconds,
                 1e3 * cost.seconds / cost.steps,
                 simulation.obstacles().empty() ? "" : "; hard contact makes steps shorter");
-    std::printf("  estimate the error  %s\n", to_tolerance
-                                                  ? "a tolerance is asked: such passes until it is met"
-                                                  : "not quite as much again (--no-estimate leaves it out)");
+    std::printf("  estimate the error  %s\n", course.estimate);
 }
 
 Exit inspect_mesh(const std::string& path) {
@@ -85,7 +112,8 @@ Exit inspect_mesh(const std::string& path) {
 Exit inspect_scene(const std::string& path, const std::vector<std::string>& overrides) {
     const SceneDescription scene = read_scene(path, overrides);
     Built built = build_scene(scene);
-    const Simulation simulation(std::move(built.setup));
+    const Course course = course_of(built.setup, scene.accuracy);
+    const Simulation simulation(course.first);
     std::printf("%s: %s, %d frames at %g a second\n", path.c_str(), scene.name.c_str(), simulation.frames(),
                 simulation.frame_rate());
     const std::vector<Cloth>& cloths = simulation.model().cloths;
@@ -96,7 +124,7 @@ Exit inspect_scene(const std::string& path, const std::vector<std::string>& over
     }
     for (const std::string& note : built.notes) std::printf("  note                %s\n", note.c_str());
     print_plan(simulation.plan());
-    print_step(simulation, scene.accuracy.tolerance.has_value());
+    print_step(simulation, course);
     std::printf("effective scene\n%s", scene_text(scene).c_str());
     return Exit::done;
 }

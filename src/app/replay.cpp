@@ -26,15 +26,19 @@ Replay read_replay(const std::string& path) {
         for (const auto& frame : json.at("frames")) {
             if (frame.at("index").get<size_t>() != replay.steps.size() + 1)
                 throw Error(cat(path, ": does not begin at frame 1 (it is of a run that was resumed)"));
-            replay.steps.push_back(frame.at("planned_steps").get<long>());
-            if (replay.steps.back() < 1 || replay.steps.back() > most_steps)
-                throw Error(cat(path, ": frame ", replay.steps.size(), ": planned_steps must be 1 to ",
-                                most_steps, ", got ", replay.steps.back()));
+            const auto& steps = frame.at("planned_steps");
+            if (!steps.is_number_integer() || steps < 1 || steps > most_steps)
+                throw Error(cat(path, ": frame ", replay.steps.size() + 1,
+                                ": planned_steps must be a whole number, 1 to ", most_steps, ", got ",
+                                steps.dump()));
+            replay.steps.push_back(steps.get<long>());
+            replay.hashes.push_back(frame.at("hash").get<std::string>());
         }
         if (replay.steps.empty()) throw Error(path + ": has no frames to replay");
         return replay;
     } catch (const nlohmann::json::exception&) {
-        throw Error(path + ": is no report.json of a run (scene, method.name and frames[].planned_steps)");
+        throw Error(path +
+                    ": is no report.json of a run (scene, method.name, frames[].planned_steps and .hash)");
     }
 }
 

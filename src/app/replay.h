@@ -8,7 +8,8 @@ namespace drape {
 
 struct Replay {
     std::string scene, method;
-    std::vector<long> steps;  // planned, of every frame
+    std::vector<long> steps;          // planned, of every frame
+    std::vector<std::string> hashes;  // of the positions, of every frame
 };
 
 // Throws Error where the file is no report of a run.

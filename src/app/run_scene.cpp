@@ -37,10 +37,12 @@ int threads_of(const RunOptions& options) {
     return options.threads > 0 ? options.threads : static_cast<int>(cores);
 }
 
-// What tells a checkpoint's scene from others. What is expected of a run is no part of it.
-std::uint64_t hash_of(SceneDescription scene) {
+// What tells a checkpoint's run from others: the scene without what is expected of it, the method and the
+// steps of every frame where they are given.
+std::uint64_t hash_of(SceneDescription scene, const std::string& method, const std::vector<long>& steps) {
     scene.expected.reset();
-    const std::string text = scene_text(scene);
+    std::string text = cat(scene_text(scene), method);
+    for (const long count : steps) text += cat(" ", count);
     return hash_bytes(text.data(), text.size());
 }
 
@@ -52,7 +54,8 @@ public:
 
 private:
     DeliveryOptions delivery_options() const;
-    void replay(Setup& setup, DeliveryOptions& wanted) const;
+    void replay(Setup& setup, DeliveryOptions& wanted);
+    void compare_with_replayed(const FrameReport& frame);
     void deliver(const FrameReport& frame);
     bool keep_going(double& unsaved);
     void demand_what_was_asked() const;
@@ -72,6 +75,7 @@ private:
     std::string out_;
     std::array<int, 2> drawn_{};  // first and last frame to draw
     std::unique_ptr<Delivery> delivery_;
+    std::vector<std::string> replayed_hashes_;  // of every frame
     std::vector<std::unique_ptr<CacheWriter>> caches_;
 #ifdef DRAPE_WITH_RENDER
     std::unique_ptr<PictureMaker> pictures_;
@@ -83,7 +87,6 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     drawn_ = options.frames.value_or(std::array{1, frames});
     if (drawn_[0] < 1 || drawn_[1] < drawn_[0] || drawn_[1] > frames)
         throw Error(cat("--frames ", drawn_[0], ":", drawn_[1], ": the scene has frames 1:", frames));
-    scene_hash_ = hash_of(scene_);
     out_ = options.out.empty() ? "renders/" + fs::path(options.scene).stem().string() : options.out;
     report_.scene = scene_.name;
     report_.version = version;
@@ -94,6 +97,7 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
         report_.notes = built.notes;
         DeliveryOptions wanted = delivery_options();
         if (!options.replay.empty()) replay(built.setup, wanted);
+        scene_hash_ = hash_of(scene_, built.setup.method, wanted.replay);
         delivery_ = make_delivery(std::move(built.setup), wanted);
     }
     report_.times.build -= report_.times.load;
@@ -103,7 +107,13 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
                                     simulation.lifted(), " m"));
     report_.plan = simulation.plan();
     report_.start = simulation.energies();
-    add_output_stages();
+#ifdef DRAPE_WITH_RENDER
+    // the room the cloth moves in is judged from its start, wherever a resumed run goes on
+    if (options.pictures) {
+        const CpuScope timer(report_.times.render);
+        pictures_ = std::make_unique<PictureMaker>(scene_, delivery_->simulation());
+    }
+#endif
     prepare_folder();
     if (options.resume) resume();
     prepare_cache();
@@ -118,7 +128,7 @@ DeliveryOptions Run::delivery_options() const {
     return wanted;
 }
 
-void Run::replay(Setup& setup, DeliveryOptions& wanted) const {
+void Run::replay(Setup& setup, DeliveryOptions& wanted) {
     const Replay earlier = read_replay(options_.replay);
     if (earlier.scene != scene_.name)
         throw Error(cat(options_.replay, ": is of the scene ", quoted(earlier.scene), ", not of ",
@@ -128,15 +138,25 @@ void Run::replay(Setup& setup, DeliveryOptions& wanted) const {
     setup.method = earlier.method;
     setup.because = cat("replayed from ", options_.replay);
     wanted.replay = earlier.steps;
+    replayed_hashes_ = earlier.hashes;
+}
+
+// A replay repeats the bits; where it does not, the scene or the program is another: that is said once.
+void Run::compare_with_replayed(const FrameReport& frame) {
+    const auto k = static_cast<size_t>(frame.index) - 1;
+    if (k >= replayed_hashes_.size() || frame.hash == replayed_hashes_[k]) return;
+    report_.notes.push_back(cat("from frame ", frame.index, " on this is not the run that ", options_.replay,
+                                " is of: the scene, the version or the machine differs"));
+    replayed_hashes_.clear();
 }
 
 void Run::add_output_stages() {
     if (scene_.accuracy.tolerance)
         report_.plan.use("error estimate", "a tolerance: passes with more steps until it is met");
-    else if (options_.estimate)
+    else if (delivery_->error().passes.size() > 1)
         report_.plan.use("error estimate", "a second pass with some fewer steps");
     else
-        report_.plan.leave_out("error estimate", "--no-estimate");
+        report_.plan.leave_out("error estimate", delivery_->error().how);
     if (options_.pictures)
         report_.plan.use("pictures", cat("frames ", drawn_[0], " to ", drawn_[1]));
     else
@@ -183,7 +203,9 @@ void Run::resume() {
         throw Error(
             "--resume cannot go on with a --cache: earlier frames' positions are gone (leave one out)");
     if (!delivery_->restore(found->passes))
-        throw Error(path + ": is of a run with another tolerance or estimate (remove it to start fresh)");
+        throw Error(
+            path +
+            ": is of a run with another tolerance, estimate or number of frames (remove it to start fresh)");
     report_.start = {0, found->start_energy};
     report_.notes.push_back(cat("resumed after frame ", delivery_->frame()));
 }
@@ -194,7 +216,6 @@ void Run::draw_frame([[maybe_unused]] int frame) {
     Image image;
     {
         const CpuScope timer(report_.times.render);
-        if (!pictures_) pictures_ = std::make_unique<PictureMaker>(scene_, delivery_->simulation());
         image = pictures_->draw(delivery_->simulation(), delivery_->state(), delivery_->vertex_error());
     }
     std::vector<std::uint8_t> png;
@@ -217,6 +238,7 @@ void Run::save_checkpoint() {
 
 void Run::finish(bool complete) {
     for (const auto& cache : caches_) cache->finish();
+    add_output_stages();
     const Simulation& simulation = delivery_->simulation();
     report_.method = &simulation.method();
     report_.chosen_because = simulation.chosen_because();
@@ -226,6 +248,7 @@ void Run::finish(bool complete) {
     report_.guaranteed_step = simulation.guaranteed_step();
     report_.error = delivery_->error();
     report_.budget = scene_.accuracy.budget;
+    report_.spent_before = delivery_->spent_before();
     report_.end = simulation.energies();
     report_.flow = simulation.flow();
     report_.times.contact = simulation.contact_seconds();
@@ -268,6 +291,7 @@ void Run::deliver(const FrameReport& frame) {
     }
     report_.times.simulate += frame.cpu_seconds;
     report_.frames.push_back(frame);
+    compare_with_replayed(frame);
     draw_frame(frame.index);
     for (size_t c = 0; c < caches_.size(); ++c) {
         const Cloth& cloth = delivery_->simulation().model().cloths[c];
@@ -277,7 +301,7 @@ void Run::deliver(const FrameReport& frame) {
 
 void Run::demand_what_was_asked() const {
     const ErrorAccount& error = report_.error;
-    if (!error.reached)
+    if (error.reached == false)
         throw Error(cat(options_.scene, ": the tolerance of ", *error.asked,
                         " m was not reached: refining stopped helping (--strict)"),
                     Exit::went_wrong);
@@ -287,19 +311,12 @@ void Run::demand_what_was_asked() const {
                 " m lies below the predictability floor from t = ", error.floor_from, " s on (--strict)"),
             Exit::went_wrong);
     if (!report_.budget_kept())
-        throw Error(cat(options_.scene, ": took ", report_.times.wall, " s of a budget of ", *report_.budget,
+        throw Error(cat(options_.scene, ": took ", report_.spent(), " s of a budget of ", *report_.budget,
                         " s: its shortest way takes longer (--strict)"),
                     Exit::went_wrong);
 }
 
 Exit Run::go() {
-#ifdef DRAPE_WITH_RENDER
-    // the room the cloth moves in is judged from its start
-    if (options_.pictures && delivery_->frame() == 0) {
-        const CpuScope timer(report_.times.render);
-        pictures_ = std::make_unique<PictureMaker>(scene_, delivery_->simulation());
-    }
-#endif
     double unsaved = 0;  // CPU seconds since the last checkpoint
     {
         Progress progress(delivery_->frame() + 1, drawn_[1], options_.quiet);

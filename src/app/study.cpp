@@ -101,10 +101,10 @@ Exit study_scene(const StudyRequest& request) {
     if (request.refine) options.budget *= 2.0 / 3;
     Study study = run_study(setup, options, drawer(scene, setup));
     study.scene = scene.name;
+    write_file(out + "/study.csv", study_csv(study));
     if (request.refine)
         study.refinement = refine_mesh(scene, study.probe.frames, request.budget / 3, options.say);
 
-    write_file(out + "/study.csv", study_csv(study));
     Provenance provenance{command_of(request), std::string(version), "",
                           sundials_version(),  processor_name(),     std::thread::hardware_concurrency()};
     const StudyPlots plots = make_plots(study, out, provenance.gnuplot_version);

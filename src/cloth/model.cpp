@@ -49,6 +49,11 @@ void add_pins(Model& model, PinGroup group) {
     model.pins.push_back(std::move(group));
 }
 
+bool has_jumping_forces(const Model& model) {
+    return std::any_of(model.cloths.begin(), model.cloths.end(),
+                       [](const Cloth& cloth) { return cloth.fabric.altitude == AltitudeMode::shortest; });
+}
+
 bool has_moving_pins(const Model& model) {
     return std::any_of(model.pins.begin(), model.pins.end(),
                        [](const PinGroup& group) { return group.motion.moves(); });

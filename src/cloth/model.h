@@ -54,6 +54,9 @@ void add_pins(Model& model, PinGroup group);
 
 bool has_moving_pins(const Model& model);
 
+// Forces jump where the shortest altitude changes (AltitudeMode::shortest).
+bool has_jumping_forces(const Model& model);
+
 // Puts pinned vertices where they belong at state.time, with their velocity.
 void place_pins(const Model& model, State& state);
 

@@ -2,6 +2,7 @@
 // its line in the README; the tests loop over the table and hold each to the order it states.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -56,6 +57,12 @@ struct Method {
     bool controls_step = false;     // cuts a step that it finds too long, so that none is unstable
     bool projects_springs = false;  // so that only the other forces bind its step
 
+    // Where force or its slope jumps (contact comes and goes, friction sticks and slips) no order above one
+    // is left; elsewhere it is that of the forces.
+    int order_where(bool conservative, bool jumps) const {
+        const int smooth = conservative ? order : order_with_damping;
+        return jumps ? std::min(smooth, 1) : smooth;
+    }
     bool conservative_only() const { return order_with_damping == 0; }
     ForceShare explicit_share() const { return projects_springs ? ForceShare::unprojected : ForceShare::all; }
     bool is_implicit() const { return longest_step({1, 0}) == INFINITY; }

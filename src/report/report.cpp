@@ -65,7 +65,7 @@ Json error_json(const ErrorAccount& error) {
             {"estimated_max_m", known(error.max)},
             {"predictability_floor_m", known(error.floor)},
             {"below_floor_from_s", known(error.floor_from)},
-            {"reached", error.asked ? Json(error.reached) : Json(nullptr)},
+            {"reached", error.reached ? Json(*error.reached) : Json(nullptr)},
             {"how", error.how},
             {"passes", passes}};
 }
@@ -96,7 +96,7 @@ int RunReport::contacts_max() const {
 
 bool RunReport::budget_kept() const {
     constexpr double over = 1.1;
-    return !budget || times.wall <= over * *budget;
+    return !budget || spent() <= over * *budget;
 }
 
 std::string processor_name() {
@@ -128,7 +128,9 @@ std::string report_json(const RunReport& r) {
                       {"guaranteed_step_s", known(r.guaranteed_step)},
                       {"chosen_because", r.chosen_because}};
     json["error"] = error_json(r.error);
-    json["budget"] = r.budget ? Json{{"asked_s", *r.budget}, {"kept", r.budget_kept()}} : Json(nullptr);
+    json["budget"] = r.budget
+                         ? Json{{"asked_s", *r.budget}, {"spent_s", r.spent()}, {"kept", r.budget_kept()}}
+                         : Json(nullptr);
     const StageTimes& t = r.times;
     json["time"] = {{"total_s", t.total},       {"load_s", t.load},       {"build_s", t.build},
                     {"simulate_s", t.simulate}, {"contact_s", t.contact}, {"error_s", t.error},
@@ -148,7 +150,8 @@ std::string report_json(const RunReport& r) {
     json["notes"] = r.notes;
     json["frames"] = Json::array();
     for (const FrameReport& frame : r.frames) json["frames"].push_back(frame_json(frame));
-    return json.dump(2) + "\n";
+    // a file's name may hold bytes that are no UTF-8
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace drape

@@ -26,6 +26,7 @@ struct RunReport {
     StageTimes times;
     ErrorAccount error;
     std::optional<double> budget;  // of wall time [s]
+    double spent_before = 0;       // of it, by the run that this one goes on from [s]
     Energies start, end;
     EnergyFlow flow;
     Plan plan;
@@ -36,7 +37,8 @@ struct RunReport {
     double deepest_penetration() const;  // how far any point ever was inside an obstacle [m]; 0 if never
     int contacts_max() const;
     double least_distance() const;  // of any frame; infinite without obstacles [m]
-    bool budget_kept() const;       // to 10 %; true if there was none
+    double spent() const { return spent_before + times.wall; }  // wall, since the run began [s]
+    bool budget_kept() const;                                   // to 10 %; true if there was none
     // what energy came or went unaccounted: end - start - driven + dissipated [J]
     double energy_drift() const { return end.total() - start.total() - flow.driven + flow.dissipated; }
 };

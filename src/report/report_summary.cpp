@@ -51,7 +51,7 @@ std::string error_summary(const ErrorAccount& error) {
         text +=
             cat("    from t = ", number("%.4g", error.floor_from),
                 " s on, what was asked lies below the floor: those frames are the best that can be done\n");
-    if (!error.reached) text += "  the tolerance was not reached\n";
+    if (error.reached == false) text += "  the tolerance was not reached\n";
     return text;
 }
 
@@ -77,8 +77,9 @@ std::string report_summary(const RunReport& r) {
         tried > 0)
         text += cat("  ", tried, " frames took energy from nowhere and were made again with shorter steps\n");
     if (r.budget)
-        text += cat("  wall time ", number("%.3g", t.wall), " s of a budget of ", number("%.3g", *r.budget),
-                    " s", r.budget_kept() ? "" : ": the shortest way takes longer", "\n");
+        text +=
+            cat("  wall time ", number("%.3g", r.spent()), " s of a budget of ", number("%.3g", *r.budget),
+                " s", r.budget_kept() ? "" : ": the shortest way takes longer", "\n");
     if (std::isfinite(r.least_distance()))
         text += cat("  contact: at most ", r.contacts_max(), " points, never nearer than ",
                     number("%.3g", r.least_distance() * 1e3), " mm to an obstacle\n");

@@ -27,6 +27,7 @@ public:
     const Eigen::VectorXf& vertex_error() const override { return inner_->vertex_error(); }
     const ErrorAccount& error() const override { return inner_->error(); }
     PassProgress progress() const override { return {}; }
+    double spent_before() const override { return before_; }
     std::string save() const override;
     bool restore(std::string_view bytes) override;
 

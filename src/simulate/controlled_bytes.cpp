@@ -32,7 +32,7 @@ void each_record_number(Record& record, Visit visit) {
 void put_pass(ByteWriter& out, const Pass& pass) {
     out.put(pass.refine);
     out.put(pass.steps);
-    out.put(pass.touched);
+    out.put(pass.jumps);
     out.put(pass.x.size());
     for (const Points& x : pass.x) out.put(x);
     out.put(pass.frames.size());
@@ -47,7 +47,7 @@ Pass take_pass(ByteReader& in) {
     Pass pass;
     pass.refine = in.take<double>();
     pass.steps = in.take<double>();
-    pass.touched = in.take<bool>();
+    pass.jumps = in.take<bool>();
     for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) pass.x.push_back(in.take_points());
     for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) {
         FrameReport& frame = pass.frames.emplace_back();
@@ -73,6 +73,7 @@ std::vector<double> take_list(ByteReader& in) {
 
 std::string ControlledDelivery::save() const {
     ByteWriter out;
+    out.put(frames_);
     put_pass(out, before_);
     put_pass(out, now_);
     for (const std::vector<double>* list : {&floor_, &row_steps_, &row_distance_}) put_list(out, *list);
@@ -80,8 +81,9 @@ std::string ControlledDelivery::save() const {
                                account_.floor_from, account_.seconds})
         out.put(value);
     for (const int value : {row_, idle_, failed_, delivered_}) out.put(value);
+    out.put(before_record_);
     out.put(accepted_);
-    out.put(account_.reached);
+    if (accepted_) out.put(*account_.reached);
     out.put(account_.passes.size());
     for (const PassRecord& record : account_.passes) {
         out.put(record.method);
@@ -96,6 +98,8 @@ std::string ControlledDelivery::save() const {
 
 bool ControlledDelivery::restore(std::string_view bytes) {
     ByteReader in(bytes);
+    // passes that ended there have no others
+    if (in.take<int>() != frames_) return false;
     Pass before = take_pass(in), now = take_pass(in);
     std::vector<double> floor = take_list(in);
     for (std::vector<double>* list : {&row_steps_, &row_distance_}) *list = take_list(in);
@@ -103,8 +107,9 @@ bool ControlledDelivery::restore(std::string_view bytes) {
                           &account_.floor_from, &account_.seconds})
         *value = in.take<double>();
     for (int* value : {&row_, &idle_, &failed_, &delivered_}) *value = in.take<int>();
+    before_record_ = in.take<size_t>();
     accepted_ = in.take<bool>();
-    account_.reached = in.take<bool>();
+    if (accepted_) account_.reached = in.take<bool>();
     std::vector<PassRecord> records;
     for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) {
         PassRecord& record = records.emplace_back();
@@ -123,6 +128,7 @@ bool ControlledDelivery::restore(std::string_view bytes) {
     floor_ = std::move(floor);
     before_ = std::move(before);
     now_ = std::move(now);
+    if (before_record_ >= records.size()) return false;
     account_.passes = std::move(records);
     distance_.clear();
     for (size_t k = 0; k < now_.x.size() && k < before_.x.size(); ++k)

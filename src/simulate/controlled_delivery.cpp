@@ -16,7 +16,6 @@ constexpr double aim = 0.6;    // of the tolerance, when the next pass's steps a
 constexpr double idle = 0.75;  // a pass whose error is more than this of the last one's was idle
 constexpr int most_idle = 2, most_failed = 3, most_passes = 12;
 constexpr double least_order = 0.5;
-constexpr double order_in_contact = 1;  // at most: points come and go, friction sticks and slips
 constexpr double beyond_floor = 2;  // times the steps that met the predictable frames are spent on the others
 
 }  // namespace
@@ -61,6 +60,7 @@ void ControlledDelivery::start_twin() {
 void ControlledDelivery::start_pass(double refine) {
     now_ = {};
     now_.refine = refine;
+    now_.jumps = has_jumping_forces(setup_.model);
     running_ = std::make_unique<Simulation>(pass_along(way(), setup_, refine));
     account_.passes.emplace_back();
     account_.passes.back().purpose = before_.x.empty() ? "first look" : "more steps";
@@ -92,7 +92,7 @@ void ControlledDelivery::run_frame() {
     record.sweeps = running_->sweeps();
     record.cpu_seconds += report.cpu_seconds;
     now_.steps += static_cast<double>(report.steps);
-    now_.touched = now_.touched || report.contacts > 0;
+    now_.jumps = now_.jumps || report.contacts > 0;
     const bool failed = !report.trouble.empty();
     now_.frames.push_back(std::move(report));
     if (!failed) {
@@ -118,13 +118,18 @@ void ControlledDelivery::end_pass() {
     row_steps_.push_back(now_.steps);
     if (before_.x.empty()) {
         note_floor();
-        before_ = std::move(now_);
+        keep_pass();
         return start_pass(before_.refine * way().refinement);
     }
     // those that can be predicted show the order, if there are any
     const double predictable = worst_distance(true);
     row_distance_.push_back(predictable > 0 ? predictable : worst_distance(false));
     judge();
+}
+
+void ControlledDelivery::keep_pass() {
+    before_ = std::move(now_);
+    before_record_ = account_.passes.size() - 1;
 }
 
 void ControlledDelivery::note_floor() {
@@ -136,9 +141,8 @@ void ControlledDelivery::note_floor() {
     }
 }
 
-double ControlledDelivery::formal_order() const {
-    const Method& method = running_->method();
-    return running_->dynamics().is_conservative() ? method.order : method.order_with_damping;
+double ControlledDelivery::order_here(bool jumps) const {
+    return running_->method().order_where(running_->dynamics().is_conservative(), jumps);
 }
 
 double ControlledDelivery::worst_distance(bool above_floor_only) const {
@@ -151,7 +155,7 @@ double ControlledDelivery::worst_distance(bool above_floor_only) const {
 
 void ControlledDelivery::judge() {
     const size_t n = row_steps_.size();
-    const double most_order = now_.touched ? order_in_contact : formal_order();
+    const double most_order = order_here(now_.jumps || before_.jumps);
     double order = most_order;  // two passes cannot tell
     if (n >= 3)
         order = observed_order({row_steps_[n - 3], row_steps_[n - 2], row_steps_[n - 1]},
@@ -160,7 +164,7 @@ void ControlledDelivery::judge() {
     const double apart = worst_distance(false);
     const double worst =
         stated_share(apart, share_, mean_edge_) * apart + round_off(now_.x.back(), now_.steps);
-    double& last_error = account_.passes[account_.passes.size() - 2].error_rms;
+    double& last_error = account_.passes[before_record_].error_rms;
     last_error = std::fmax(last_error, error_share(before_.steps, now_.steps, order) * apart);
     account_.passes.back().error_rms = worst;
     if (n >= way().least_passes && worst <= tolerance_) return accept(true);
@@ -181,10 +185,10 @@ void ControlledDelivery::judge() {
     if (stuck && (others_met || !rough)) return accept(others_met);
     const int row = stuck ? usual_row_ : better_row(needed);
     if (row != row_) return start_row(row);
-    const double most = now_.touched ? most_in_contact : most_refinement;
+    const double most = now_.jumps ? most_in_contact : most_refinement;
     const double refinement =
         rough ? way().refinement : std::clamp(needed / now_.refine, least_refinement, most);
-    before_ = std::move(now_);
+    keep_pass();
     distance_.clear();
     start_pass(before_.refine * refinement);
 }
@@ -192,7 +196,7 @@ void ControlledDelivery::judge() {
 int ControlledDelivery::better_row(double refine) const {
     const size_t next = static_cast<size_t>(row_) + 1;
     // higher order is lost where contact comes and goes
-    if (next >= rows_.size() || (row_ == usual_row_ && now_.touched)) return row_;
+    if (next >= rows_.size() || (row_ == usual_row_ && now_.jumps)) return row_;
     return way().seconds * refine > seconds_to_judge(rows_[next]) ? row_ + 1 : row_;
 }
 
@@ -230,8 +234,8 @@ PassProgress ControlledDelivery::progress() const {
     progress.frame = static_cast<int>(now_.x.size());
     progress.frames = frames_;
     for (const ErrorNorms& apart : distance_)
-        progress.error =
-            std::fmax(progress.error, apart.rms * error_share(now_.refine, before_.refine, formal_order()));
+        progress.error = std::fmax(
+            progress.error, apart.rms * error_share(now_.refine, before_.refine, order_here(now_.jumps)));
     return progress;
 }
 

@@ -23,7 +23,7 @@ struct Pass {
     std::vector<Points> x;
     std::vector<FrameReport> frames;
     double steps = 0;
-    bool touched = false;  // contact was met
+    bool jumps = false;  // forces did: contact was met, or the cloth is made so
 };
 
 class ControlledDelivery final : public Delivery {
@@ -46,13 +46,14 @@ private:
     void start_twin();
     void run_frame();
     void end_pass();
+    void keep_pass();  // the next ones are compared with it
     void note_floor();
     void judge();
     // the row to go on with when the next pass of this one must refine so much
     int better_row(double refine) const;
     void accept(bool reached);
     const Way& way() const { return rows_[static_cast<size_t>(row_)]; }
-    double formal_order() const;
+    double order_here(bool jumps) const;                 // of the passes that run
     double worst_distance(bool above_floor_only) const;  // of any frame [m]
     FrameReport deliver();
 
@@ -63,6 +64,7 @@ private:
     int row_ = 0, usual_row_ = 0;
     std::unique_ptr<Simulation> running_, twin_;
     Pass before_, now_;
+    size_t before_record_ = 0;          // of before_, among account_.passes
     std::vector<double> floor_;         // per frame [m]
     std::vector<ErrorNorms> distance_;  // of now_ from before_, per frame
     // of the row's passes, newest last

@@ -28,13 +28,13 @@ struct ErrorAccount {
     double rms = NAN, max = NAN;  // of the worst frame delivered so far [m]
     double floor = NAN;           // predictability, largest over the frames [m]
     double floor_from = NAN;      // from this time on, what was asked lies below it [s]
-    bool reached = true;          // what was asked, in every frame above the floor
+    std::optional<bool> reached;  // what was asked, in every frame above the floor; none: not known yet
     std::string how;              // it was estimated
     double seconds = 0;           // CPU, apart from the delivered pass [s]
     std::vector<PassRecord> passes;
 
     // what was asked, in every frame: neither refused by refining nor below the floor
-    bool met() const { return !asked || (reached && std::isnan(floor_from)); }
+    bool met() const { return !asked || (reached.value_or(false) && std::isnan(floor_from)); }
 };
 
 // Where hidden passes stand, for a progress bar.
@@ -57,6 +57,7 @@ public:
     virtual const Eigen::VectorXf& vertex_error() const = 0;  // of that frame [m]; empty: not known
     virtual const ErrorAccount& error() const = 0;
     virtual PassProgress progress() const = 0;
+    virtual double spent_before() const { return 0; }  // of a budget, by a run that this one goes on from [s]
 
     // All that is needed to go on later with the same bits.
     virtual std::string save() const = 0;

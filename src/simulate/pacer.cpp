@@ -27,10 +27,9 @@ double Pacer::affordable_steps(double spare) const {
 void Pacer::begin_frame() {
     began_ = budget_.clock();
     if (ended_ < 0) return;
-    // what is done once, at the first frame, says nothing about the others
     const double other = began_ - ended_;
-    other_seconds_ = measured_ ? (1 - newest_weight) * other_seconds_ + newest_weight * other : other;
-    measured_ = true;
+    // the first picture takes what is done once, and says little about the others
+    other_seconds_ = ++gaps_ <= 2 ? other : (1 - newest_weight) * other_seconds_ + newest_weight * other;
 }
 
 void Pacer::end_frame(double steps) {

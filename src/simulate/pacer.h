@@ -13,7 +13,7 @@ struct Budget {
 
 class Pacer {
 public:
-    // `share` of the budget is spent on `frames` frames; the rest is for what comes after the last one.
+    // All but a little of the budget is for `frames` frames; the rest is for what comes after the last one.
     // `step_seconds`: what a step of a frame is expected to take, until frames were measured.
     Pacer(Budget budget, int frames, double step_seconds);
 
@@ -33,7 +33,7 @@ private:
     int frames_left_;
     double step_seconds_, other_seconds_ = 0;
     double began_ = 0, ended_ = -1;  // the frame's steps, at the clock [s]
-    bool measured_ = false;
+    int gaps_ = 0;                   // between frames, so far
 };
 
 }  // namespace drape

@@ -11,7 +11,6 @@ namespace drape {
 namespace {
 
 constexpr double companion_steps = 0.867;  // 0.85 / 0.98: as few as stability allows
-constexpr double order_in_contact = 1;     // points come and go, friction sticks and slips
 
 void record(PassRecord& pass, const Simulation& simulation, const FrameReport& frame, double steps) {
     pass.method = simulation.method().name;
@@ -32,6 +31,7 @@ StreamedDelivery::StreamedDelivery(Setup setup, const DeliveryOptions& options)
     }
     delivered_ = std::make_unique<Simulation>(std::move(setup));
     mean_edge_ = mean_edge(delivered_->model());
+    jumps_ = has_jumping_forces(delivered_->model());
     account_.how = companion_ ? "a second pass with another step, beside the first (Richardson)"
                               : cat("no second pass: ", options.no_estimate_because);
     account_.passes.resize(companion_ ? 2 : 1);
@@ -58,26 +58,28 @@ std::optional<FrameReport> StreamedDelivery::advance() {
     account_.seconds += other.cpu_seconds;
     record(account_.passes[0], *delivered_, report, steps_);
     if (companion_) record(account_.passes[1], *companion_, other, companion_steps_);
-    if (companion_ && report.trouble.empty()) judge(report, other);
+    if (companion_ && !report.trouble.empty() && other.trouble.empty())
+        drop_companion(cat("the delivered pass stopped at frame ", report.index, ", the second went on"));
+    else if (companion_ && report.trouble.empty())
+        judge(report, other);
     account_.passes[0].error_rms = account_.rms;
     return report;
 }
 
+void StreamedDelivery::drop_companion(std::string why) {
+    account_.how = std::move(why);
+    account_.rms = account_.max = NAN;
+    companion_.reset();
+    vertex_error_.resize(0);
+}
+
 void StreamedDelivery::judge(FrameReport& delivered, const FrameReport& companion) {
     if (!companion.trouble.empty()) {
-        account_.how = cat("not estimated from frame ", companion.index,
-                           " on: the second pass stopped there (", companion.trouble, ")");
-        account_.rms = account_.max = NAN;
-        companion_.reset();
-        vertex_error_.resize(0);
-        return;
+        return drop_companion(cat("not estimated from frame ", companion.index,
+                                  " on: the second pass stopped there (", companion.trouble, ")"));
     }
-    touched_ = touched_ || delivered.contacts > 0 || companion.contacts > 0;
-    const Method& method = delivered_->method();
-    const bool conservative = delivered_->dynamics().is_conservative();
-    const double order = touched_       ? order_in_contact
-                         : conservative ? method.order
-                                        : method.order_with_damping;
+    jumps_ = jumps_ || delivered.contacts > 0 || companion.contacts > 0;
+    const int order = delivered_->method().order_where(delivered_->dynamics().is_conservative(), jumps_);
     // contact may bring the numbers of steps together, or turn them round
     const double other_steps = companion_steps_ > steps_ ? std::max(companion_steps_, 1.02 * steps_)
                                                          : std::min(companion_steps_, 0.98 * steps_);
@@ -104,8 +106,9 @@ std::string StreamedDelivery::save() const {
     delivered_->save(out);
     if (companion_) companion_->save(out);
     for (const double value : {steps_, companion_steps_, account_.rms, account_.max}) out.put(value);
-    out.put(touched_);
+    out.put(jumps_);
     out.put(parted_);
+    out.put(account_.how);
     return std::move(out).bytes();
 }
 
@@ -114,15 +117,18 @@ bool StreamedDelivery::restore(std::string_view bytes) {
     const bool two = in.take<bool>();
     if (!delivered_->restore(in)) return false;
     if (two && (!companion_ || !companion_->restore(in))) return false;
-    if (!two && companion_) {
+    const bool dropped = !two && companion_;
+    if (dropped) {
         companion_.reset();
-        account_.how = "not estimated: the run that was resumed had no second pass";
         account_.passes.resize(1);
     }
     for (double* value : {&steps_, &companion_steps_, &account_.rms, &account_.max})
         *value = in.take<double>();
-    touched_ = in.take<bool>();
+    jumps_ = in.take<bool>();
     parted_ = in.take<bool>();
+    std::string how = in.take_text();
+    account_.how =
+        dropped ? cat("not estimated: the run that was resumed had no second pass (", how, ")") : how;
     return in.at_end();
 }
 

@@ -25,6 +25,7 @@ public:
     bool restore(std::string_view bytes) override;
 
 private:
+    void drop_companion(std::string why);
     void judge(FrameReport& delivered, const FrameReport& companion);
 
     int threads_;
@@ -32,7 +33,7 @@ private:
     std::unique_ptr<Simulation> delivered_, companion_;
     double steps_ = 0, companion_steps_ = 0;
     double mean_edge_ = 0;  // [m]
-    bool touched_ = false;  // contact was met
+    bool jumps_ = false;    // forces did: contact was met, or the cloth is made so
     bool parted_ = false;   // the passes' folds fell differently
     Eigen::VectorXf vertex_error_;
     ErrorAccount account_;

@@ -20,7 +20,7 @@ constexpr double worth_trying = 0.5;
 constexpr double softening_per_step = 1.7e-3;
 constexpr double xpbd_refinement = 2;
 // The lower the order, the more a distance is multiplied to give an error: passes farther apart say more.
-constexpr double refinement_in_contact = 1.6;
+constexpr double refinement_of_jumps = 1.6;
 constexpr size_t xpbd_passes = 3;  // its order is seen, not assumed: it sets in late
 
 double extent(In x) {
@@ -34,7 +34,7 @@ Way way_of(const Simulation& trial, std::string_view method, std::string because
             .step = {},
             .because = std::move(because),
             .seconds = predicted_cost(trial, taken, trial.usual_step(taken)).seconds};
-    if (trial.has_contact()) way.refinement = refinement_in_contact;
+    if (trial.has_contact() || has_jumping_forces(trial.model())) way.refinement = refinement_of_jumps;
     return way;
 }
 
@@ -93,7 +93,8 @@ Ways ways_to(const Setup& setup, double tolerance) {
     const MethodChoice choice = explicit_choice(trial.dynamics());
     Ways ways;
     ways.usual = way_of(trial, choice.method, choice.because);
-    ways.fine = fine_way(trial, choice.method);
+    // jumps leave no method its high order; contact may stay away
+    if (!has_jumping_forces(setup.model)) ways.fine = fine_way(trial, choice.method);
     std::optional<Way> xpbd = xpbd_way(setup, trial, tolerance);
     Way implicit = way_of(trial, implicit_choice,
                           "so stiff that implicit steps are predicted to cost less than explicit ones");
@@ -108,8 +109,8 @@ Ways ways_within_budget(const Setup& setup) {
     const MethodChoice choice = explicit_choice(trial.dynamics());
     Ways ways;
     ways.usual = way_of(trial, choice.method, choice.because);
-    // contact leaves no method its high order
-    if (!trial.has_contact()) ways.fine = fine_way(trial, choice.method);
+    // jumps leave no method its high order
+    if (!trial.has_contact() && !has_jumping_forces(setup.model)) ways.fine = fine_way(trial, choice.method);
     ways.rough =
         way_of(projecting(setup), "xpbd", "the budget has no time for explicit steps; these may be longer");
     return ways;

@@ -32,7 +32,7 @@ const Rung* representative(const Study& study, const Method& method, double metr
 
 SeenOrder seen_order(const Study& study, const Method& method) {
     SeenOrder order;
-    order.expected = study.probe.conservative ? method.order : method.order_with_damping;
+    order.expected = method.order_where(study.probe.conservative, false);
     std::vector<const Rung*> rungs;
     for (const Rung* rung : study.rungs_of(method))
         if (rung->errors.final_rms > clear_of_bar * study.bar()) rungs.push_back(rung);

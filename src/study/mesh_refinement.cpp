@@ -74,6 +74,46 @@ void estimate(MeshRefinement& refinement, const std::vector<RefinedMesh*>& run) 
     refinement.error = (*own)->last.rms * (refinement.converges ? gain / (gain - 1) : 1);
 }
 
+// What is left to spend [CPU s], and what a predicted second was last found to take.
+struct Allowance {
+    double left = 0, calibration = 1;
+};
+
+// Positions of common vertices at every frame go to `x`. A mesh that cannot be run says why, and no more.
+RefinedMesh run_mesh(const SceneDescription& scene, double factor, int stride, int frames,
+                     Allowance& allowance, std::vector<Points>& x) {
+    RefinedMesh mesh;
+    mesh.factor = factor;
+    if (!divisible(scene, factor)) {
+        mesh.left_out = "its divisions are odd";
+        return mesh;
+    }
+    const SceneDescription description = refined(scene, factor);
+    try {
+        Setup setup = build_scene(description).setup;
+        setup.frames = frames;
+        setup.method.clear();
+        setup.step.reset();
+        mesh.vertices = setup.model.vertices();
+        const double predicted = predicted_cost(Simulation(setup)).seconds;
+        if (allowance.calibration * predicted > allowance.left) {
+            mesh.left_out = cat("would cost about ", figure(allowance.calibration * predicted), " CPU s");
+            return mesh;
+        }
+        const MeasuredPass pass = measure_pass(setup, INFINITY, [&](const State& state) {
+            x.push_back(common_vertices(description, setup.model, state.x, stride));
+        });
+        mesh.cpu_seconds = pass.cpu_seconds;
+        mesh.left_out = pass.trouble;
+        allowance.left -= pass.cpu_seconds;
+        allowance.calibration = pass.cpu_seconds / predicted;
+    } catch (const Error& error) {
+        // a pin that holds no vertex of a coarser mesh
+        mesh.left_out = error.what();
+    }
+    return mesh;
+}
+
 }  // namespace
 
 MeshRefinement refine_mesh(const SceneDescription& scene, int frames, double most_cpu,
@@ -87,38 +127,18 @@ MeshRefinement refine_mesh(const SceneDescription& scene, int frames, double mos
                 "The fabric is given per spring, so that each mesh is another cloth: give it as a "
                 "membrane to judge the mesh alone.";
     std::vector<std::vector<Points>> positions;
-    double coarsest = 0, spent = 0, calibration = 1;
+    Allowance allowance{most_cpu};
+    double coarsest = 0;
     for (const double factor : factors) {
-        RefinedMesh mesh;
-        mesh.factor = factor;
-        if (divisible(scene, factor)) {
-            const SceneDescription description = refined(scene, factor);
-            Setup setup = build_scene(description).setup;
-            setup.frames = frames;
-            setup.method.clear();
-            setup.step.reset();
-            mesh.vertices = setup.model.vertices();
-            const double predicted = predicted_cost(Simulation(setup)).seconds;
-            if (calibration * predicted > most_cpu - spent) {
-                mesh.left_out = cat("would cost about ", figure(calibration * predicted), " CPU s");
-            } else {
-                if (coarsest == 0) coarsest = factor;
-                const int stride = static_cast<int>(std::lround(factor / coarsest));
-                std::vector<Points>& x = positions.emplace_back();
-                const MeasuredPass pass = measure_pass(setup, INFINITY, [&](const State& state) {
-                    x.push_back(common_vertices(description, setup.model, state.x, stride));
-                });
-                mesh.cpu_seconds = pass.cpu_seconds;
-                mesh.left_out = pass.trouble;
-                spent += pass.cpu_seconds;
-                calibration = pass.cpu_seconds / predicted;
-                if (!pass.trouble.empty()) positions.pop_back();
-            }
-        } else {
-            mesh.left_out = "its divisions are odd";
-        }
+        std::vector<Points> x;
+        const double stride = coarsest == 0 ? 1 : factor / coarsest;
+        const RefinedMesh mesh = run_mesh(scene, factor, static_cast<int>(stride), frames, allowance, x);
         say(cat("mesh x ", factor, ": ",
                 mesh.left_out.empty() ? cat(figure(mesh.cpu_seconds), " CPU s") : mesh.left_out));
+        if (mesh.left_out.empty()) {
+            positions.push_back(std::move(x));
+            if (coarsest == 0) coarsest = factor;
+        }
         refinement.meshes.push_back(mesh);
     }
     std::vector<RefinedMesh*> run;

@@ -21,11 +21,10 @@ struct Probe {
 };
 
 // `until` [s] fixes the window; otherwise it is as long as `budget` [CPU s] and predictability allow. Throws
-// Error
-// (Exit::went_wrong) where not even the first frame can be simulated.
+// Error (Exit::went_wrong) where not even the first frame can be simulated.
 Probe probe_scene(const Setup& setup, std::optional<double> until, double budget);
 
-// CPU seconds that `method` needs for every step a frame it makes, for the whole window.
+// CPU seconds that the simulation's method needs for every step a frame it makes, for the whole window.
 double seconds_per_step(const Simulation& simulation, const Probe& probe);
 
 }  // namespace drape

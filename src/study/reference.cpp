@@ -49,7 +49,10 @@ Choice choose(const Setup& setup, const Probe& probe, const std::vector<Candidat
         const Simulation simulation(with_steps(setup, candidate.method, 1));
         const double stable = 1 / setup.frame_rate / simulation.longest_step();
         const double each = passes * seconds_per_step(simulation, probe);
-        const auto steps_for = [&](double times) { return static_cast<int>(std::ceil(times * stable)); };
+        // even, so that half of them is a whole number, and stable
+        const auto steps_for = [&](double times) {
+            return 2 * static_cast<int>(std::ceil(times * stable / 2));
+        };
         for (double times = candidate.finest; times >= coarsest; times /= std::sqrt(2.0))
             if (each * steps_for(times) <= allowed) return {candidate.method, steps_for(times)};
         if (each * steps_for(coarsest) < least) {
@@ -96,30 +99,31 @@ Second second_run(const Setup& setup, const Probe& probe, double most_cpu) {
     return {std::move(other.x), std::move(other.how)};
 }
 
-double order_of(const Probe& probe, std::string_view name) {
-    if (probe.contact) return 1;  // contact comes and goes: assume the least
-    const Method& method = method_named(name);
-    return probe.conservative ? method.order : method.order_with_damping;
-}
-
 }  // namespace
 
 Reference make_reference(const Setup& setup, const Probe& probe, double most_cpu) {
     // a pass with half the steps tells the finer one's error
     const Choice choice = choose(setup, probe, first_candidates(probe), 1.5, most_cpu / 2);
-    const Choice half{choice.method, std::max(1, choice.steps / 2)};
+    const Choice half{choice.method, choice.steps / 2};
     const Trajectory coarse = run(setup, half);
     Trajectory fine = run(setup, choice);
     if (!fine.pass.trouble.empty())
         throw Error(cat("the reference, ", said(setup, choice), ", went wrong: ", fine.pass.trouble),
                     Exit::went_wrong);
     Second second = second_run(setup, probe, most_cpu / 2);
+    if (second.x.empty() && !coarse.pass.trouble.empty())
+        throw Error(cat("nothing tells the reference's error: ", said(setup, half),
+                        ", went wrong: ", coarse.pass.trouble, "; ", second.how),
+                    Exit::went_wrong);
 
     Reference reference;
     reference.how = said(setup, choice);
     reference.checked = !second.x.empty();
     reference.checked_by = second.how;
-    const double share = error_share(choice.steps, half.steps, order_of(probe, choice.method));
+    // contact comes and goes: assume the least
+    const int order = method_named(choice.method)
+                          .order_where(probe.conservative, probe.contact || has_jumping_forces(setup.model));
+    const double share = error_share(choice.steps, half.steps, order);
     const double edge = mean_edge(setup.model);
     for (size_t k = 0; k < fine.x.size(); ++k) {
         const double least = round_off(fine.x[k], static_cast<double>(k + 1) * choice.steps);

@@ -23,7 +23,8 @@ constexpr std::array tolerances{Tolerances{1e-10, 1e-12}, Tolerances{1e-8, 1e-10
 // The scene between free vertices' unknowns and drape's state.
 class Equation {
 public:
-    explicit Equation(const Setup& setup) : simulation_(setup), state_(simulation_.state()) {
+    // `end`: of the thread's CPU time, when it is to give up [s]
+    Equation(const Setup& setup, double end) : simulation_(setup), state_(simulation_.state()), end_(end) {
         const Eigen::VectorXd& inverse_mass = simulation_.model().inverse_mass;
         for (int i = 0; i < inverse_mass.size(); ++i)
             if (inverse_mass[i] > 0) free_.push_back(i);
@@ -48,6 +49,7 @@ public:
         place_pins(simulation_.model(), state_);
         return state_;
     }
+    bool is_late() const { return thread_cpu_seconds() > end_; }
     // false where an obstacle was entered: a shorter step may not
     bool slope(double time, const double* y, double* slope) {
         const State& state = state_at(time, y);
@@ -65,14 +67,16 @@ public:
 private:
     Simulation simulation_;
     State state_;
+    double end_;
     std::vector<int> free_;
     Points acceleration_;
 };
 
-int right_hand_side(realtype time, N_Vector y, N_Vector slope, void* equation) {
-    const bool inside =
-        static_cast<Equation*>(equation)->slope(time, N_VGetArrayPointer(y), N_VGetArrayPointer(slope));
-    return inside ? 0 : 1;  // 1: recoverable
+int right_hand_side(realtype time, N_Vector y, N_Vector slope, void* data) {
+    constexpr int recoverable = 1, give_up = -1;
+    auto& equation = *static_cast<Equation*>(data);
+    if (equation.is_late()) return give_up;
+    return equation.slope(time, N_VGetArrayPointer(y), N_VGetArrayPointer(slope)) ? 0 : recoverable;
 }
 
 // SUNDIALS' own objects, freed whatever happens.
@@ -122,16 +126,18 @@ std::string name() {
     return cat("SUNDIALS ", sundials_version(), ", ARKODE's explicit Runge-Kutta pair of order 8(7)");
 }
 
-// Stops as soon as it is on the way to cost more than `most_cpu`.
+// Stops as soon as it is on the way to cost more than `most_cpu`, in the middle of a frame too.
 SundialsRun attempt(const Setup& setup, const Tolerances& wanted, double most_cpu) {
-    Equation equation(setup);
+    Equation equation(setup, thread_cpu_seconds() + most_cpu);
     Solver solver(equation, wanted);
     SundialsRun run;
     const double began = thread_cpu_seconds();
     for (int frame = 1; frame <= equation.frames(); ++frame) {
         const double time = frame * equation.frame_time();
-        if (const int code = solver.advance_to(time); code < 0)
-            return {{}, cat(name(), " gave up before t = ", time, " s (code ", code, ")")};
+        const int code = solver.advance_to(time);
+        if (equation.is_late())
+            return {{}, cat(name(), " would cost more than ", figure(most_cpu), " CPU s, and has no more")};
+        if (code < 0) return {{}, cat(name(), " gave up before t = ", time, " s (code ", code, ")")};
         run.x.push_back(equation.state_at(time, solver.y()).x);
         const double projected = (thread_cpu_seconds() - began) * equation.frames() / frame;
         if (projected > most_cpu)
@@ -151,9 +157,10 @@ SundialsRun run_sundials(const Setup& setup, double most_cpu) {
     own.method = "verlet";
     own.step.reset();
     SundialsRun run;
+    const double end = thread_cpu_seconds() + most_cpu;
     for (const Tolerances& wanted : tolerances) {
-        run = attempt(own, wanted, most_cpu);
-        if (!run.x.empty()) break;
+        run = attempt(own, wanted, end - thread_cpu_seconds());
+        if (!run.x.empty() || thread_cpu_seconds() >= end) break;
     }
     return run;
 }

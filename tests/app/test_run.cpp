@@ -104,7 +104,9 @@ TEST_CASE("a run within a budget tells how it was stepped, and its report replay
     CAPTURE(ran.err);
     REQUIRE(ran.exit_code == 0);
     const Json first = report_of(folder.file("first"));
-    CHECK(first["budget"] == Json{{"asked_s", 2.0}, {"kept", true}});
+    CHECK(first["budget"]["asked_s"] == 2.0);
+    CHECK(first["budget"]["kept"] == true);
+    CHECK(first["budget"]["spent_s"] > 1);
     CHECK(first["error"]["estimated_rms_m"].get<double>() > 0);
     REQUIRE(run_drape({"simulate", scene, "--out", folder.file("second"), "--replay",
                        folder.file("first/report.json")})

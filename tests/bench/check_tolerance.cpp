@@ -39,7 +39,7 @@ struct Checked {
     bool delivered() const { return run.trouble.empty(); }
     bool judged() const { return !(worst(truth.bar) > scene->tolerance / 2); }
     bool holds() const {
-        return delivered() && run.error.reached && judged() && !(worst(error) > scene->tolerance);
+        return delivered() && run.error.reached == true && judged() && !(worst(error) > scene->tolerance);
     }
     double ratio() const { return fixed ? run.cpu / fixed->cpu : NAN; }
 
@@ -60,7 +60,7 @@ struct Checked {
                 if (error[k] > scene->tolerance) text += cat(" ", k + 1);
         }
         if (!judged()) text += cat(text.empty() ? "" : "; ", "reference too coarse");
-        if (!run.error.reached) text += cat(text.empty() ? "" : "; ", "says not reached");
+        if (run.error.reached != true) text += cat(text.empty() ? "" : "; ", "says not reached");
         if (text.empty()) text = "holds";
         if (frames < error.size()) text += cat(", floor from ", figure(run.error.floor_from), " s");
         return text;

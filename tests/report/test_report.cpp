@@ -18,6 +18,7 @@ RunReport two_frames() {
     report.step = 1e-4;
     report.longest_step = 2e-4;
     report.error.asked = 1e-3;
+    report.error.reached = true;
     report.error.rms = 2e-4;
     report.error.how = "by a test";
     report.error.passes.push_back({"verlet", "delivered", 1e-4, 300, 301, 2e-4, 0.5});

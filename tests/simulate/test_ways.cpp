@@ -40,7 +40,7 @@ Met met(const Setup& setup, double tolerance) {
         met.stated = std::max(met.stated, frame->error_rms);
         met.truth = std::max(met.truth, distance_between(delivery->state().x, exact.state().x).rms);
     }
-    CHECK(delivery->error().reached);
+    CHECK(delivery->error().reached == true);
     met.method = delivery->simulation().method().name;
     met.passes = delivery->error().passes.size();
     return met;
