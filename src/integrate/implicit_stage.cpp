@@ -88,13 +88,21 @@ bool StageSolver::is_better(const Points& direction, double length) const {
     return change <= noise && -next_.residual.cwiseProduct(direction).sum() <= -(1 - 2 * enough) * slope;
 }
 
+double StageSolver::clear_part(const Stage& stage, const Points& direction) {
+    Contact* contact = dynamics_.contact();
+    if (!contact) return 1;
+    contact->cover(now_.x, stage.time, largest_move(direction));
+    return contact->clear_part(now_.x, direction, stage.time);
+}
+
+void StageSolver::take(const Stage& stage, const Points& direction) {
+    next_.x = now_.x + clear_part(stage, direction) * direction;
+    if (evaluate(stage, next_)) std::swap(now_, next_);
+}
+
 bool StageSolver::search(const Stage& stage, const Points& direction, double& length) {
     const double move = largest_move(direction);
-    length = 1;
-    if (Contact* contact = dynamics_.contact()) {
-        contact->cover(now_.x, stage.time, move);
-        length = contact->clear_part(now_.x, direction, stage.time);
-    }
+    length = clear_part(stage, direction);
     for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
         next_.x = now_.x + length * direction;
         bool possible = evaluate(stage, next_);

@@ -50,6 +50,8 @@ protected:
     // Moves now_ by as much of the direction as lowers Phi enough, and sets `length` to how much that was;
     // next_ is then where it was. False if no part of it does.
     bool search(const Stage& stage, const Points& direction, double& length);
+    // The same without a look at Phi; where that is not possible, nothing is moved.
+    void take(const Stage& stage, const Points& direction);
     // Nothing that is left to do moves a vertex, or accelerates it, by as much as matters.
     bool is_settled(const Stage& stage) const;
     // Far below any method's own error; where rounding ends the progress earlier, the second will do [m].
@@ -73,6 +75,7 @@ private:
 
     bool start(const Stage& stage, const State& state);
     bool is_better(const Points& direction, double length) const;
+    double clear_part(const Stage& stage, const Points& direction);  // of it, of obstacles
     bool settle(const Stage& stage);                // rounds under the normal forces that friction holds
     double typical_move(const Stage& stage) const;  // of a vertex, RMS [m]
 

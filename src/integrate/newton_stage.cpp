@@ -55,6 +55,11 @@ StageSolver::Outcome NewtonSolver::improve(const Stage& stage, int round) {
     const Points way = direction(stage, now_);
     const double move = largest_move(way);
     if (!std::isfinite(move)) return Outcome::stuck;
+    // so near the solution rounding hides from a search whether the energy falls
+    if (move < fine) {
+        take(stage, way);
+        return Outcome::converged;
+    }
     double length = 0;
     if (!search(stage, way, length)) {
         if (move < coarse) return Outcome::converged;
@@ -66,7 +71,7 @@ StageSolver::Outcome NewtonSolver::improve(const Stage& stage, int round) {
     last_move_ = move;
     if (length < 1) return Outcome::moved;
     cut_ = false;
-    return move < fine || stalled ? Outcome::converged : Outcome::moved;
+    return stalled ? Outcome::converged : Outcome::moved;
 }
 
 }  // namespace drape
