@@ -12,6 +12,7 @@ namespace {
 
 // all in pixels
 constexpr int most_columns = 5;
+constexpr size_t long_title = 24;  // letters: set smaller, or it runs into the next panel's
 constexpr double panel_width = 196, panel_height = 168, gap_across = 46, gap_down = 66;
 constexpr double left = 74, right = 20, bottom = 58, top = 84;
 
@@ -142,7 +143,8 @@ std::string figure_text(const StabilityMap& map, const StabilityFigure& figure) 
         const PanelText text = panel_text(panel, frame, cat("m", slot));
         data += text.data;
         body +=
-            cat("set title ", plot_quoted(panel.title), " noenhanced font ',12' offset 0,-0.4\n",
+            cat("set title ", plot_quoted(panel.title), " noenhanced font ',",
+                panel.title.size() > long_title ? 9 : 12, "' offset 0,-0.4\n",
                 layout.is_leftmost(slot) ? "set ylabel 'step [s]' font ',11'\n" : "unset ylabel\n",
                 layout.is_lowest(slot) ? "set xlabel 'spring constant [N/m]' font ',11'\n" : "unset xlabel\n",
                 text.plot, "\n");
