@@ -91,7 +91,7 @@ Setup scene(Scene kind, std::string_view method, bool own_step, const Telling& t
     // left to drape, wind's steps allow for cloth that flutters at 20 m/s, and implicit ones are 2.5 ms
     if (!own_step || kind == Scene::flag || method_named(method).is_implicit()) setup.step = second / 1000;
     setup.frame_rate = 20 / second;
-    setup.frames = 6;
+    setup.frames = 3;
     return setup;
 }
 
