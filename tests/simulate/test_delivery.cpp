@@ -126,6 +126,22 @@ TEST_CASE("frames that cannot be predicted do not drive the others' refinement",
     CHECK(run.error.passes.back().step > predictable.error.passes.back().step / 3);
 }
 
+TEST_CASE("passes of a run to a tolerance go on to the frame they began for, and to no other", "[simulate]") {
+    const Setup setup = swatch(6, 200);
+    const auto to_frame = [&](int frames) {
+        return make_delivery(setup, {.tolerance = 1e-4, .frames = frames});
+    };
+    const auto first = to_frame(6);
+    // in the first pass, between passes, while frames are delivered
+    while (first->frame() < 5) {
+        static_cast<void>(first->advance());
+        const std::string bytes = first->save();
+        CHECK(to_frame(6)->restore(bytes));
+        CHECK_FALSE(to_frame(4)->restore(bytes));
+        CHECK_FALSE(to_frame(9)->restore(bytes));
+    }
+}
+
 TEST_CASE("a run to a tolerance goes on from any moment with the same bits and the same estimate",
           "[simulate]") {
     struct Case {
