@@ -35,6 +35,25 @@ Json report_of(const std::string& folder) {
     return Json::parse(bytes_of(folder + "/report.json"));
 }
 
+// Starts a run, and interrupts it soon after `sign` is there.
+void interrupt(const char* verb, const std::string& scene, const std::string& out, const std::string& sign) {
+    const pid_t child = fork();
+    if (child == 0) {
+        execl(DRAPE_PROGRAM, "drape", verb, scene.c_str(), "--out", out.c_str(), "--quiet",
+              static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    while (!std::filesystem::exists(sign) && waitpid(child, nullptr, WNOHANG) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    REQUIRE(WIFEXITED(status));
+    REQUIRE(WEXITSTATUS(status) == 130);
+    REQUIRE(std::filesystem::exists(out + "/checkpoint"));
+}
+
 }  // namespace
 
 TEST_CASE("simulate leaves a report with every key of the contract, and no picture", "[app]") {
@@ -182,21 +201,7 @@ TEST_CASE("an interrupted run resumes to the same bits", "[app]") {
     REQUIRE(run_drape({"simulate", scene, "--out", folder.file("whole")}).exit_code == 0);
 
     const std::string out = folder.file("cut");
-    const pid_t child = fork();
-    if (child == 0) {
-        execl(DRAPE_PROGRAM, "drape", "simulate", scene.c_str(), "--out", out.c_str(), "--quiet",
-              static_cast<char*>(nullptr));
-        _exit(127);
-    }
-    while (!std::filesystem::exists(out) && waitpid(child, nullptr, WNOHANG) == 0)
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    kill(child, SIGINT);
-    int status = 0;
-    waitpid(child, &status, 0);
-    REQUIRE(WIFEXITED(status));
-    REQUIRE(WEXITSTATUS(status) == 130);
-    REQUIRE(std::filesystem::exists(out + "/checkpoint"));
+    interrupt("simulate", scene, out, out);
     const auto done = report_of(out)["frames"].size();
     CHECK(done < 30);
 
@@ -264,6 +269,18 @@ TEST_CASE("mesh writes what inspect reads", "[app]") {
 }
 
 #ifdef DRAPE_WITH_RENDER
+
+TEST_CASE("pictures of a resumed run are those of one that was never interrupted", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("drop.toml", small_drop("3"));
+    REQUIRE(run_drape({"render", scene, "--out", folder.file("whole")}).exit_code == 0);
+    const std::string out = folder.file("cut");
+    interrupt("render", scene, out, out + "/frame_0004.png");
+    REQUIRE_FALSE(std::filesystem::exists(out + "/frame_0030.png"));
+    REQUIRE(run_drape({"render", scene, "--out", out, "--resume"}).exit_code == 0);
+    for (const char* frame : {"/frame_0001.png", "/frame_0020.png", "/frame_0030.png"})
+        CHECK(bytes_of(out + frame) == bytes_of(folder.file("whole") + frame));
+}
 
 TEST_CASE("render leaves a picture per frame, the cloth where the camera sees it", "[app]") {
     const TemporaryFolder folder;
