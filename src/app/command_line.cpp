@@ -166,6 +166,9 @@ Action declare_stability(CLI::App& verb) {
     verb.add_option("--method", map->methods, "only this method; may be given again (default: all)")
         ->type_name("NAME")
         ->allow_extra_args(false);
+    verb.add_option("--runs", map->runs, "jittered runs of each cell (default: 10)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000));
     verb.add_option("--threads", map->threads, "how many threads (default: one per core)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));

@@ -25,7 +25,7 @@ _drape() {
         simulate) words="$run --cache" ;;
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
-        stability) words="--out --set --method --threads --full --quiet --help" ;;
+        stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
         mesh) words="one_way alternating -o --size --divisions --help" ;;
         list) words="scenes fabrics methods obstacles patterns --help" ;;
         *) return ;;

@@ -45,6 +45,7 @@ struct StabilityRequest {
     std::string out;                   // "" = renders/stability
     std::vector<std::string> set;      // KEY=VALUE
     std::vector<std::string> methods;  // none = all
+    int runs = 10;                     // of each cell, and of each start of collapsed triangles
     int threads = 0;                   // 0 = as many as there are cores
     bool full = false;                 // every mesh with every option, on a finer grid
     bool quiet = false;

@@ -50,7 +50,8 @@ StabilityOptions options_of(const StabilityRequest& request) {
     options.stiffness = decades(1e-2, 1e9, request.full ? 2 : 1);
     options.step = decades(1e-5, 0.1, request.full ? 6 : 4);
     options.methods = methods_named(request.methods);
-    if (request.scene.empty()) options.recovery_trials = 10;
+    if (request.scene.empty()) options.recovery_trials = request.runs;
+    options.trial.runs = request.runs;
     options.threads =
         request.threads > 0 ? request.threads : static_cast<int>(std::thread::hardware_concurrency());
     if (!request.quiet)
@@ -64,6 +65,7 @@ std::string command_of(const StabilityRequest& request) {
     if (!request.scene.empty()) command += cat(" ", shell_word(request.scene));
     for (const std::string& set : request.set) command += cat(" --set ", shell_word(set));
     for (const std::string& method : request.methods) command += cat(" --method ", shell_word(method));
+    if (request.runs != StabilityRequest{}.runs) command += cat(" --runs ", request.runs);
     return command + (request.full ? " --full" : "");
 }
 
