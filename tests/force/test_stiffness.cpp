@@ -44,10 +44,7 @@ Eigen::MatrixXd dense(const Majorant& majorant, Eigen::Index vertices) {
 
 // Of upper - lower, over the size of upper.
 double least_eigenvalue(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& lower) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(upper - lower, Eigen::EigenvaluesOnly)
-               .eigenvalues()
-               .minCoeff() /
-           std::max(upper.norm(), 1e-12);
+    return eigenvalues(upper - lower).minCoeff() / std::max(upper.norm(), 1e-12);
 }
 
 double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
@@ -81,9 +78,7 @@ TEST_CASE("every force's damping is the derivative by the velocities, and the wi
             BlockMatrix b = bent.matrix(*c.force);
             c.force->add_damping(bent.x, bent.v, 0.3, b);
             const Eigen::MatrixXd found = dense(b, bent.model.vertices());
-            const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(found, Eigen::EigenvaluesOnly)
-                                     .eigenvalues()
-                                     .minCoeff();
+            const double least = eigenvalues(found).minCoeff();
             CHECK(least >= -1e-12 * found.norm());
             const Eigen::MatrixXd exact = minus_jacobian(
                 [&](In w) { return force_at(*c.force, bent.x, w, 0.3); }, bent.v, 1e-3, bent.model);

@@ -1,8 +1,8 @@
 #include "simulate/stable_step.h"
 
-#include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 
+#include "support/matrices.h"
 #include "support/motion.h"
 #include "support/setups.h"
 
@@ -30,9 +30,7 @@ double true_omega(Dynamics& dynamics, const Points& x) {
         k.col(i) = Eigen::Map<const Eigen::VectorXd>(column.data(), n);
         if (dynamics.model().inverse_mass[i / 3] == 0) k.col(i).setZero();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((k + k.transpose()) / 2,
-                                                                Eigen::EigenvaluesOnly);
-    return std::sqrt(solver.eigenvalues()[n - 1]);
+    return std::sqrt(eigenvalues(k)[n - 1]);
 }
 
 }  // namespace

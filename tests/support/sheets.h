@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <numbers>
 #include <string>
 
 #include "cloth/model.h"
@@ -10,30 +9,10 @@
 
 namespace drape::test {
 
-inline Fabric bending_fabric(BendingKind kind, double bending = 1) {
-    Fabric fabric = bare_springs(50);
-    fabric.bending_kind = kind;
-    fabric.bending = bending;
-    return fabric;
-}
+Fabric bending_fabric(BendingKind kind, double bending = 1);
 
 // Rows of equilateral triangles, every other row shifted by half a side; the same area everywhere.
-inline Mesh equilateral_sheet(int divisions) {
-    Mesh mesh = square(divisions, "alternating");
-    const int across = divisions + 1;
-    mesh.rest.row(2) *= std::sqrt(3.0) / 2;
-    int f = 0;
-    for (int j = 0; j < across; ++j) {
-        if (j % 2 == 1) mesh.rest.row(0).segment(j * across, across).array() += 0.5 / divisions;
-        for (int i = 0; j < divisions && i < divisions; ++i) {
-            const int a = j * across + i, b = a + 1, c = b + across, d = a + across;
-            const bool rising = j % 2 == 1;
-            mesh.faces.col(f++) = rising ? Eigen::Vector3i(a, c, b) : Eigen::Vector3i(a, d, b);
-            mesh.faces.col(f++) = rising ? Eigen::Vector3i(a, d, c) : Eigen::Vector3i(b, d, c);
-        }
-    }
-    return plain_mesh(mesh.rest, mesh.faces);
-}
+Mesh equilateral_sheet(int divisions);
 
 struct Sheet {
     std::string name;
@@ -41,39 +20,15 @@ struct Sheet {
 };
 
 // Every pattern, regular and jittered, and the equilateral one.
-inline std::vector<Sheet> every_sheet(int divisions) {
-    std::vector<Sheet> sheets{{"equilateral", equilateral_sheet(divisions)}};
-    for (const PatternKind& kind : pattern_kinds()) {
-        sheets.push_back({std::string(kind.name), square(divisions, kind.name)});
-        sheets.push_back(
-            {std::string(kind.name) + ", jittered", jittered_square(divisions, kind.name, 0.25)});
-    }
-    return sheets;
-}
+std::vector<Sheet> every_sheet(int divisions);
 
 // The flat sheet lifted to y = height(x, z).
-inline Points lifted(const Mesh& mesh, const std::function<double(double, double)>& height) {
-    Points x = mesh.rest;
-    for (Eigen::Index i = 0; i < x.cols(); ++i) x(1, i) = height(x(0, i), x(2, i));
-    return x;
-}
+Points lifted(const Mesh& mesh, const std::function<double(double, double)>& height);
 
 // The flat sheet rolled without stretch onto a cylinder of `radius`, curved along the direction at
 // `angle_deg`.
-inline Points rolled(const Mesh& mesh, double radius, double angle_deg) {
-    const double c = std::cos(angle_deg * std::numbers::pi / 180),
-                 s = std::sin(angle_deg * std::numbers::pi / 180);
-    Points x = mesh.rest;
-    for (Eigen::Index i = 0; i < x.cols(); ++i) {
-        const double along = c * x(0, i) + s * x(2, i), across = -s * x(0, i) + c * x(2, i);
-        const double arc = radius * std::sin(along / radius);
-        x.col(i) = Vec3(c * arc - s * across, radius * (1 - std::cos(along / radius)), s * arc + c * across);
-    }
-    return x;
-}
+Points rolled(const Mesh& mesh, double radius, double angle_deg);
 
-inline double rest_area(const Cloth& cloth) {
-    return cloth.area.sum();
-}
+double rest_area(const Cloth& cloth);
 
 }  // namespace drape::test
