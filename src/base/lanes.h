@@ -3,6 +3,7 @@
 // functions of wide.h that are compiled for wider vectors would rely on 32.
 #pragma once
 
+#include <cmath>
 #include <cstring>
 
 namespace drape {
@@ -15,6 +16,19 @@ inline __attribute__((always_inline)) void load(Lanes& value, const double* from
 
 inline __attribute__((always_inline)) void store(const Lanes& value, double* to) {
     std::memcpy(to, &value, sizeof value);
+}
+
+inline __attribute__((always_inline)) Lanes square_root(Lanes value) {
+    for (int k = 0; k < 4; ++k) value[k] = std::sqrt(value[k]);
+    return value;
+}
+
+inline __attribute__((always_inline)) double square_root(double value) {
+    return std::sqrt(value);
+}
+
+inline double lane_sum(const Lanes& value) {
+    return (value[0] + value[1]) + (value[2] + value[3]);
 }
 
 }  // namespace drape

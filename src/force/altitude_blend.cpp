@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "base/wide.h"
 #include "force/altitude_blend_kernel.h"
 #include "force/blend_projection.h"
 
@@ -15,40 +14,14 @@ using namespace blend;
 
 namespace {
 
-DRAPE_WIDE void push(const Columns& t, int triangles, const double* x, double* f) {
-    Corners p, g;
-    alignas(64) double s[block], push[block];
-    for (int from = 0; from < triangles; from += block) {
-        const int count = std::min(block, triangles - from);
-        p.fetch(t, x, from, count);
-        shape_gradient(t, p, from, count, g, s);
-        for (int i = 0; i < count; ++i) push[i] = -t.weight[from + i] * (s[i] - 1);
-        multiply(g, push, count);
-        g.add_to(t, f, from, count);
-    }
-}
-
-DRAPE_WIDE double push_damped(const Columns& t, int triangles, const double* x, const double* v, double* f) {
-    Corners p, g, w;
-    alignas(64) double s[block], push[block], heat[block];
-    double dissipated = 0;
-    for (int from = 0; from < triangles; from += block) {
-        const int count = std::min(block, triangles - from);
-        p.fetch(t, x, from, count);
-        w.fetch(t, v, from, count);
-        shape_gradient(t, p, from, count, g, s);
-        for (int i = 0; i < count; ++i) {
-            double rate = 0;
-            for (int k = 0; k < 3; ++k)
-                rate += g.x[k][i] * w.x[k][i] + g.y[k][i] * w.y[k][i] + g.z[k][i] * w.z[k][i];
-            push[i] = -t.weight[from + i] * (s[i] - 1) - t.damping[from + i] * rate;
-            heat[i] = t.damping[from + i] * rate * rate;
-        }
-        multiply(g, push, count);
-        g.add_to(t, f, from, count);
-        for (int i = 0; i < count; ++i) dissipated += heat[i];
-    }
-    return dissipated;
+template <class Corner, class Edges, class Values>
+Columns columns_of(const Corner& corner, const Edges& edges, const Values& area, const Values& weight,
+                   const Values& damping) {
+    return {{corner[0].data(), corner[1].data(), corner[2].data()},
+            {edges[0].data(), edges[1].data(), edges[2].data()},
+            area.data(),
+            weight.data(),
+            damping.data()};
 }
 
 }  // namespace
@@ -80,21 +53,9 @@ AltitudeBlend::AltitudeBlend(const Cloth& cloth) : damped_(cloth.fabric.damping 
         damping_.push_back(inverse_mass > 0 ? 2 * cloth.fabric.damping * std::sqrt(weight / inverse_mass)
                                             : 0);
     }
+    sweep_ = BlendSweep(columns_of(corner_, inverse_squared_edge_, inverse_double_area_, weight_, damping_),
+                        mesh.triangles());
 }
-
-namespace {
-
-template <class Corner, class Edges, class Values>
-Columns columns_of(const Corner& corner, const Edges& edges, const Values& area, const Values& weight,
-                   const Values& damping) {
-    return {{corner[0].data(), corner[1].data(), corner[2].data()},
-            {edges[0].data(), edges[1].data(), edges[2].data()},
-            area.data(),
-            weight.data(),
-            damping.data()};
-}
-
-}  // namespace
 
 double AltitudeBlend::energy(In x) const {
     const Columns t = columns_of(corner_, inverse_squared_edge_, inverse_double_area_, weight_, damping_);
@@ -110,20 +71,14 @@ double AltitudeBlend::energy(In x) const {
     return energy;
 }
 
-void AltitudeBlend::add_conservative(In x, Out f) const {
-    push(columns_of(corner_, inverse_squared_edge_, inverse_double_area_, weight_, damping_),
-         static_cast<int>(weight_.size()), x.data(), f.data());
+void AltitudeBlend::add_padded_conservative(const PaddedPoints& x, PaddedPoints& f) const {
+    sweep_.push(x, f);
 }
 
-Power AltitudeBlend::add_all(In x, In v, double, Out f) const {
-    if (!damped_) {
-        add_conservative(x, f);
-        return {};
-    }
-    const double dissipated =
-        push_damped(columns_of(corner_, inverse_squared_edge_, inverse_double_area_, weight_, damping_),
-                    static_cast<int>(weight_.size()), x.data(), v.data(), f.data());
-    return {dissipated, 0};
+Power AltitudeBlend::add_padded(const PaddedPoints& x, const PaddedPoints& v, PaddedPoints& f) const {
+    if (damped_) return {sweep_.push_damped(x, v, f), 0};
+    sweep_.push(x, f);
+    return {};
 }
 
 void AltitudeBlend::project(WeightedPoints& x, const WeightedPoints& before, double h) {

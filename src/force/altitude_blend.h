@@ -8,20 +8,21 @@
 // Damping f = -c (grad s)(grad s . v). A triangle without area has no direction and no force.
 #pragma once
 
-#include "force/force.h"
+#include "force/blend_sweep.h"
+#include "force/padded_force.h"
 
 namespace drape {
 
 class BlendProjection;
 
-class AltitudeBlend final : public Force {
+class AltitudeBlend final : public PaddedForce {
 public:
     explicit AltitudeBlend(const Cloth& cloth);
     ~AltitudeBlend() override;
 
     double energy(In x) const override;
-    void add_conservative(In x, Out f) const override;
-    Power add_all(In x, In v, double time, Out f) const override;
+    void add_padded_conservative(const PaddedPoints& x, PaddedPoints& f) const override;
+    Power add_padded(const PaddedPoints& x, const PaddedPoints& v, PaddedPoints& f) const override;
     bool is_conservative() const override { return !damped_; }
     void add_bound(In x, StepBound& bound) const override;
     void add_couplings(Couplings& couplings) const override;
@@ -46,6 +47,7 @@ private:
     std::vector<double> inverse_double_area_;      // 1 / D0 [1/m^2]
     std::vector<double> weight_;                   // W = K hm [J]
     std::vector<double> damping_;                  // c [J s]
+    BlendSweep sweep_;
     bool damped_ = false;
     std::unique_ptr<BlendProjection> projection_;  // made on first use
 };

@@ -18,44 +18,57 @@ double rest_area(const Mesh& mesh, int f) {
     return (mesh.rest.col(mesh.faces(1, f)) - a).cross(mesh.rest.col(mesh.faces(2, f)) - a).norm() / 2;
 }
 
-// f -= K (x + tau v) for the rows of one cloth; returns v' K v. xv holds position and velocity by turns.
-DRAPE_WIDE double multiply(const int* row, const int* column, const double* value, int rows, const double* xv,
-                           double tau, double* f) {
-    double quadratic = 0;
-    for (int i = 0; i < rows; ++i) {
-        Lanes kx = {}, kv = {};
-        for (int k = row[i]; k < row[i + 1]; ++k) {
+// the upper triangle of K
+struct Rows {
+    const int* start;  // of each row, at its diagonal
+    const int* column;
+    const double* value;
+    int count;
+};
+
+// f -= K (x + tau v) for one cloth; returns v' K v
+DRAPE_WIDE double multiply(const Rows& k, const double* x, const double* v, double tau, double* f) {
+    Lanes heat = {};
+    for (int i = 0; i < k.count; ++i) {
+        Lanes own_x, own_v, sum, kx = {}, kv = {};
+        load(own_x, x + 4 * i);
+        load(own_v, v + 4 * i);
+        const Lanes ahead = own_x + tau * own_v;
+        for (int j = k.start[i] + 1; j < k.start[i + 1]; ++j) {
+            const double value = k.value[j];
+            const long at = 4 * static_cast<long>(k.column[j]);
             Lanes p, q;
-            load(p, xv + 8 * column[k]);
-            load(q, xv + 8 * column[k] + 4);
-            kx += value[k] * p;
-            kv += value[k] * q;
+            load(p, x + at);
+            load(q, v + at);
+            load(sum, f + at);
+            kx += value * p;
+            kv += value * q;
+            store(sum - value * ahead, f + at);
         }
-        Lanes v;
-        load(v, xv + 8 * i + 4);
-        const Lanes total = kx + tau * kv, heat = kv * v;
-        f[3 * i] -= total[0];
-        f[3 * i + 1] -= total[1];
-        f[3 * i + 2] -= total[2];
-        quadratic += heat[0] + heat[1] + heat[2];
+        const Lanes diagonal = k.value[k.start[i]] * own_v;
+        load(sum, f + 4 * i);
+        store(sum - (k.value[k.start[i]] * own_x + kx + tau * (diagonal + kv)), f + 4 * i);
+        heat += own_v * (diagonal + 2 * kv);
     }
-    return quadratic;
+    return lane_sum(heat);
 }
 
 // f -= K x
-DRAPE_WIDE void multiply(const int* row, const int* column, const double* value, int rows, const double* x,
-                         double* f) {
-    for (int i = 0; i < rows; ++i) {
-        double sx = 0, sy = 0, sz = 0;
-        for (int k = row[i]; k < row[i + 1]; ++k) {
-            const double* p = x + 3 * column[k];
-            sx += value[k] * p[0];
-            sy += value[k] * p[1];
-            sz += value[k] * p[2];
+DRAPE_WIDE void multiply(const Rows& k, const double* x, double* f) {
+    for (int i = 0; i < k.count; ++i) {
+        Lanes own, sum, kx = {};
+        load(own, x + 4 * i);
+        for (int j = k.start[i] + 1; j < k.start[i + 1]; ++j) {
+            const double value = k.value[j];
+            const long at = 4 * static_cast<long>(k.column[j]);
+            Lanes p;
+            load(p, x + at);
+            load(sum, f + at);
+            kx += value * p;
+            store(sum - value * own, f + at);
         }
-        f[3 * i] -= sx;
-        f[3 * i + 1] -= sy;
-        f[3 * i + 2] -= sz;
+        load(sum, f + 4 * i);
+        store(sum - (k.value[k.start[i]] * own + kx), f + 4 * i);
     }
 }
 
@@ -96,91 +109,82 @@ BendPlate::BendPlate(const Cloth& cloth) : first_(cloth.first) {
     row_.push_back(0);
     for (size_t i = 0; i < rows.size(); ++i) {
         double sum = 0;
+        rows[i].try_emplace(static_cast<int>(i), 0.0);  // no row without its diagonal
         for (const auto& [j, value] : rows[i]) {
+            sum += std::abs(value);
+            if (j < static_cast<int>(i)) continue;
             column_.push_back(j);
             value_.push_back(value);
-            sum += std::abs(value);
         }
         row_.push_back(static_cast<int>(column_.size()));
         fastest_squared = std::max(fastest_squared, sum / cloth.mass[static_cast<Eigen::Index>(i)]);
     }
     tau_ = bending_relaxation_time(cloth, fastest_squared);
-    if (tau_ > 0) xv_ = Eigen::Matrix4Xd::Zero(4, 2 * cloth.vertices());
 }
 
+template <class Visit>
+void BendPlate::each_entry(Visit visit) const {
+    for (size_t i = 0; i + 1 < row_.size(); ++i)
+        for (int k = row_[i]; k < row_[i + 1]; ++k)
+            visit(first_ + static_cast<int>(i), first_ + column_[static_cast<size_t>(k)],
+                  value_[static_cast<size_t>(k)]);
+}
+
+// A shift costs nothing, so rows of K sum to 0 and x' K x = -sum_(i<j) K_ij |x_i - x_j|^2: no large terms
+// that cancel far from the origin.
 double BendPlate::energy(In x) const {
     double energy = 0;
-    for (size_t i = 0; i + 1 < row_.size(); ++i) {
-        Vec3 sum = Vec3::Zero();
-        for (int k = row_[i]; k < row_[i + 1]; ++k)
-            sum += value_[static_cast<size_t>(k)] * x.col(first_ + column_[static_cast<size_t>(k)]);
-        energy += 0.5 * sum.dot(x.col(first_ + static_cast<Eigen::Index>(i)));
-    }
+    each_entry(
+        [&](int i, int j, double value) { energy -= 0.5 * value * (x.col(i) - x.col(j)).squaredNorm(); });
     return energy;
 }
 
-void BendPlate::add_conservative(In x, Out f) const {
-    multiply(row_.data(), column_.data(), value_.data(), static_cast<int>(row_.size()) - 1,
-             x.data() + 3 * first_, f.data() + 3 * first_);
+void BendPlate::add_padded_conservative(const PaddedPoints& x, PaddedPoints& f) const {
+    multiply({row_.data(), column_.data(), value_.data(), static_cast<int>(row_.size()) - 1},
+             x.col(first_).data(), f.col(first_).data());
 }
 
-Power BendPlate::add_all(In x, In v, double, Out f) const {
+Power BendPlate::add_padded(const PaddedPoints& x, const PaddedPoints& v, PaddedPoints& f) const {
     if (tau_ == 0) {
-        add_conservative(x, f);
+        add_padded_conservative(x, f);
         return {};
     }
-    const int rows = static_cast<int>(row_.size()) - 1;
-    for (int i = 0; i < rows; ++i) {
-        xv_.col(2 * i).head<3>() = x.col(first_ + i);
-        xv_.col(2 * i + 1).head<3>() = v.col(first_ + i);
-    }
     const double quadratic =
-        multiply(row_.data(), column_.data(), value_.data(), rows, xv_.data(), tau_, f.data() + 3 * first_);
+        multiply({row_.data(), column_.data(), value_.data(), static_cast<int>(row_.size()) - 1},
+                 x.col(first_).data(), v.col(first_).data(), tau_, f.col(first_).data());
     return {tau_ * quadratic, 0};
 }
 
 void BendPlate::add_bound(In, StepBound& bound) const {
-    for (size_t i = 0; i + 1 < row_.size(); ++i) {
-        double sum = 0;
-        for (int k = row_[i]; k < row_[i + 1]; ++k) sum += std::abs(value_[static_cast<size_t>(k)]);
-        bound.stiffness[first_ + static_cast<Eigen::Index>(i)] += sum;
-        bound.damping[first_ + static_cast<Eigen::Index>(i)] += tau_ * sum;
-    }
+    const auto add = [&](int vertex, double value) {
+        bound.stiffness[vertex] += value;
+        bound.damping[vertex] += tau_ * value;
+    };
+    each_entry([&](int i, int j, double value) {
+        add(i, std::abs(value));
+        if (i != j) add(j, std::abs(value));
+    });
 }
 
 void BendPlate::add_couplings(Couplings& couplings) const {
-    for (size_t i = 0; i + 1 < row_.size(); ++i)
-        for (int k = row_[i]; k < row_[i + 1]; ++k)
-            couplings.couple(
-                std::array{first_ + static_cast<int>(i), first_ + column_[static_cast<size_t>(k)]});
-}
-
-// visit(i, j, K_ij) for the lower triangle of K, which is the same for the three coordinates
-template <class Visit>
-void BendPlate::each_entry(Visit visit) const {
-    for (size_t i = 0; i + 1 < row_.size(); ++i) {
-        for (int k = row_[i]; k < row_[i + 1]; ++k) {
-            const int row = static_cast<int>(i), column = column_[static_cast<size_t>(k)];
-            if (column <= row) visit(first_ + row, first_ + column, value_[static_cast<size_t>(k)]);
-        }
-    }
+    each_entry([&](int i, int j, double) { couplings.couple(std::array{i, j}); });
 }
 
 void BendPlate::add_stiffness(In, BlockMatrix& k) const {
-    each_entry([&](int i, int j, double value) { k.add_isotropic(i, j, value); });
+    each_entry([&](int i, int j, double value) { k.add_isotropic(j, i, value); });
 }
 
 void BendPlate::add_damping(In, In, double, BlockMatrix& b) const {
-    if (tau_ > 0) each_entry([&](int i, int j, double value) { b.add_isotropic(i, j, tau_ * value); });
+    if (tau_ > 0) each_entry([&](int i, int j, double value) { b.add_isotropic(j, i, tau_ * value); });
 }
 
 // K is constant and isotropic: its own majorant.
 void BendPlate::add_stiffness_majorant(Majorant& k) const {
-    each_entry([&](int i, int j, double value) { k.add_entry(i, j, value); });
+    each_entry([&](int i, int j, double value) { k.add_entry(j, i, value); });
 }
 
 void BendPlate::add_damping_majorant(Majorant& b) const {
-    if (tau_ > 0) each_entry([&](int i, int j, double value) { b.add_entry(i, j, tau_ * value); });
+    if (tau_ > 0) each_entry([&](int i, int j, double value) { b.add_entry(j, i, tau_ * value); });
 }
 
 }  // namespace drape

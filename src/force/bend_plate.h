@@ -8,17 +8,17 @@
 // of hinges does.
 #pragma once
 
-#include "force/force.h"
+#include "force/padded_force.h"
 
 namespace drape {
 
-class BendPlate final : public Force {
+class BendPlate final : public PaddedForce {
 public:
     explicit BendPlate(const Cloth& cloth);
 
     double energy(In x) const override;
-    void add_conservative(In x, Out f) const override;
-    Power add_all(In x, In v, double time, Out f) const override;
+    void add_padded_conservative(const PaddedPoints& x, PaddedPoints& f) const override;
+    Power add_padded(const PaddedPoints& x, const PaddedPoints& v, PaddedPoints& f) const override;
     bool is_conservative() const override { return tau_ == 0; }
     void add_bound(In x, StepBound& bound) const override;
     void add_couplings(Couplings& couplings) const override;
@@ -30,16 +30,15 @@ public:
     int incomplete_triangles() const { return incomplete_; }
 
 private:
+    // visit(i, j, K_ij) for all i <= j, columns of the State
     template <class Visit>
     void each_entry(Visit visit) const;
 
     int first_ = 0;
-    std::vector<int> row_, column_;  // compressed rows of K, numbered within the cloth
-    std::vector<double> value_;      // [N/m]
-    double tau_ = 0;                 // [s]
-    // scratch: position and velocity of each vertex by turns, x y z 0, so that a row of K is read once for
-    // both
-    mutable Eigen::Matrix4Xd xv_;
+    // K is symmetric: of each row the diagonal and what follows it, numbered within the cloth
+    std::vector<int> row_, column_;
+    std::vector<double> value_;  // [N/m]
+    double tau_ = 0;             // [s]
     int incomplete_ = 0;
 };
 

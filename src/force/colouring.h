@@ -18,4 +18,9 @@ struct Colouring {
 // `per_element` for each.
 Colouring colour_elements(std::span<const int> vertices, size_t per_element);
 
+// An order in which an element seldom shares a vertex with one of the few before it, so that a sweep that
+// adds to its vertices seldom waits for the element before to have stored; never far from the order given, so
+// that it stays in the cache's reach.
+std::vector<int> spread_elements(std::span<const int> vertices, size_t per_element);
+
 }  // namespace drape

@@ -5,20 +5,21 @@
 // Bend springs across an edge are the same springs on other pairs.
 #pragma once
 
-#include "force/force.h"
+#include "force/edge_sweep.h"
+#include "force/padded_force.h"
 
 namespace drape {
 
 class EdgeProjection;
 
-class EdgeSprings final : public Force {
+class EdgeSprings final : public PaddedForce {
 public:
     EdgeSprings(const std::vector<Spring>& springs, int first_vertex);
     ~EdgeSprings() override;
 
     double energy(In x) const override;
-    void add_conservative(In x, Out f) const override;
-    Power add_all(In x, In v, double time, Out f) const override;
+    void add_padded_conservative(const PaddedPoints& x, PaddedPoints& f) const override;
+    Power add_padded(const PaddedPoints& x, const PaddedPoints& v, PaddedPoints& f) const override;
     bool is_conservative() const override { return !damped_; }
     void add_bound(In x, StepBound& bound) const override;
     void add_couplings(Couplings& couplings) const override;
@@ -32,6 +33,7 @@ public:
 private:
     std::vector<int> a_, b_;  // columns of the State
     std::vector<double> rest_length_, stiffness_, damping_;
+    EdgeSweep sweep_;
     bool damped_ = false;
     std::unique_ptr<EdgeProjection> projection_;  // made on first use
 };

@@ -41,6 +41,8 @@ struct StepBound {
 // so that a vertex is one load of four.
 using WeightedPoints = Eigen::Matrix4Xd;
 
+class PaddedForce;
+
 class Force {
 public:
     virtual ~Force() = default;
@@ -58,6 +60,8 @@ public:
         add_conservative(x, f);
         return {};
     }
+    // this, where its sweeps work on padded vertices (padded_force.h)
+    virtual const PaddedForce* padded() const { return nullptr; }
     virtual bool is_conservative() const { return true; }  // false: add_all does more than add_conservative
 
     // adds this force's rows at the pose x; holds for small changes of pose

@@ -1,5 +1,7 @@
 #include "integrate/dynamics.h"
 
+#include <algorithm>
+
 #include "base/timer.h"
 
 namespace drape {
@@ -34,12 +36,27 @@ void Dynamics::to_acceleration(Points& f) const {
     }
 }
 
+bool Dynamics::sums_padded(ForceShare share) const {
+    return std::any_of(forces_.begin(), forces_.end(), [&](const ActiveForce& active) {
+        return active.force->padded() && is_in(share, *active.force);
+    });
+}
+
 void Dynamics::sum_conservative(In x, ForceShare share, Points& f) {
     ++sweeps_;
-    f.setZero(3, x.cols());
+    if (sums_padded(share)) {
+        pad(x, padded_x_);
+        padded_f_.setZero(4, x.cols());
+        for (const ActiveForce& active : forces_)
+            if (const PaddedForce* force = active.force->padded(); force && is_in(share, *force))
+                force->add_padded_conservative(padded_x_, padded_f_);
+        unpad(padded_f_, f);
+    } else {
+        f.setZero(3, x.cols());
+    }
     for (const ActiveForce& active : forces_) {
         if (!is_in(share, *active.force)) continue;
-        active.force->add_conservative(x, f);
+        if (!active.force->padded()) active.force->add_conservative(x, f);
         ++active.calls;
     }
 }
@@ -60,11 +77,21 @@ void Dynamics::conservative_acceleration(In x, double time, Points& a) {
 
 void Dynamics::sum_all(In x, In v, double time, ForceShare share, Points& f) {
     ++sweeps_;
-    f.setZero(3, x.cols());
     power_ = {};
+    if (sums_padded(share)) {
+        pad(x, padded_x_);
+        pad(v, padded_v_);
+        padded_f_.setZero(4, x.cols());
+        for (const ActiveForce& active : forces_)
+            if (const PaddedForce* force = active.force->padded(); force && is_in(share, *force))
+                power_ += force->add_padded(padded_x_, padded_v_, padded_f_);
+        unpad(padded_f_, f);
+    } else {
+        f.setZero(3, x.cols());
+    }
     for (const ActiveForce& active : forces_) {
         if (!is_in(share, *active.force)) continue;
-        power_ += active.force->add_all(x, v, time, f);
+        if (!active.force->padded()) power_ += active.force->add_all(x, v, time, f);
         ++active.calls;
     }
     if (contact_) {

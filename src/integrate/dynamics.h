@@ -8,7 +8,7 @@
 #include "cloth/model.h"
 #include "contact/contact.h"
 #include "contact/smooth_friction.h"
-#include "force/force.h"
+#include "force/padded_force.h"
 
 namespace drape {
 
@@ -89,6 +89,7 @@ public:
     double contact_seconds() const { return contact_seconds_; }  // CPU [s]
 
 private:
+    bool sums_padded(ForceShare share) const;  // whether any force in the share works on padded vertices
     void sum_conservative(In x, ForceShare share, Points& f);  // of forces but contact
     void sum_all(In x, In v, double time, ForceShare share, Points& f);
     void finish(In v, Points& f);  // books the pins' power, makes accelerations of forces
@@ -99,6 +100,7 @@ private:
     std::unique_ptr<Contact> contact_;
     std::vector<std::string> losses_;
     std::vector<int> pinned_;
+    PaddedPoints padded_x_, padded_v_, padded_f_;  // scratch
     Power power_;
     EnergyFlow flow_;
     ObstacleContact::Result touch_;

@@ -32,6 +32,34 @@ TEST_CASE("acceleration is force over mass, and none where pinned", "[integrate]
     for (const ActiveForce& active : dynamics.forces()) CHECK(active.calls == 1);
 }
 
+TEST_CASE("forces that sweep padded vertices add up with those that do not", "[integrate]") {
+    // a second cloth, so that columns of the State are not numbers within a cloth
+    Model model = model_of(square(3), damped());
+    Fabric full = damped();
+    full.altitude = AltitudeMode::blend;
+    full.bending_kind = BendingKind::plate;
+    full.bending = 0.1;
+    add_cloth(model, make_cloth(jittered_square(5, "one_way", 0.2), full));
+    Surroundings world;
+    world.air = {.drag = 0.3, .aerodynamic = true, .wind = {2, 0, 1}};
+    const Points x = random_points(model.vertices(), 0.5, 2), v = random_points(model.vertices(), 1, 3);
+    Dynamics dynamics(model, forces_of(model, world), nullptr);
+    Points still = Points::Zero(3, x.cols()), moving = still, a;
+    double dissipated = 0;
+    for (const ActiveForce& active : dynamics.forces()) {
+        active.force->add_conservative(x, still);
+        dissipated += active.force->add_all(x, v, 0.2, moving).dissipated;
+    }
+    const auto as_force = [&] { return Points(a * model.mass.asDiagonal()); };
+    dynamics.conservative_acceleration(x, 0.2, a);
+    CHECK((as_force() - still).norm() < 1e-13 * still.norm());
+    dynamics.acceleration(x, v, 0.2, a);
+    CHECK((as_force() - moving).norm() < 1e-13 * moving.norm());
+    dynamics.book(1);
+    CHECK(dynamics.flow().dissipated == Approx(dissipated).epsilon(1e-12));
+    for (const ActiveForce& active : dynamics.forces()) CHECK(active.calls == 2);
+}
+
 TEST_CASE("energy is conserved unless something is damped, drags or moves by itself", "[integrate]") {
     const auto conservative = [](const Fabric& fabric, const Surroundings& world, const RigidMotion& motion) {
         Model model = model_of(square(2), fabric);
