@@ -50,7 +50,7 @@ ObstacleContact::ObstacleContact(const Model& model, const Cloth& cloth, const O
     : obstacle_(obstacle),
       faces_(cloth.mesh.faces.array() + cloth.first),
       inverse_mass_(model.inverse_mass),
-      rows_(2, model.vertices()),
+      rows_(Eigen::Matrix2Xd::Zero(2, model.vertices())),
       area_density_(cloth.mass.sum() / cloth.area.sum()) {
     barrier_.thickness = std::max(cloth.fabric.thickness, mean_edge(cloth) / 4);
     // as many points as keep the dip between them within half the thickness
@@ -139,6 +139,7 @@ ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f)
         push(point, point.area * total * s.normal, f.data());
         touches_.push_back({&point, s.normal, surface_velocity, point.area * total, point.area * stiffness,
                             point.area * damping});
+        add_rows(touches_.back());
         result.dissipated += point.area * (pressure - total) * opening;
         result.driven += point.area * total * s.normal.dot(surface_velocity);
     }
@@ -147,20 +148,21 @@ ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f)
     return result;
 }
 
+void ObstacleContact::add_rows(const Touch& touch) {
+    for (int k = 0; k < touch.point->corners; ++k)
+        rows_.col(touch.point->vertex[k]) +=
+            touch.point->weight[k] * Eigen::Vector2d(touch.stiffness, touch.damping);
+}
+
 void ObstacleContact::limit_modes(ContactLimits& limits) {
-    const auto each_corner = [&](auto visit) {
-        for (const Touch& touch : touches_)
-            for (int k = 0; k < touch.point->corners; ++k)
-                visit(touch, touch.point->weight[k], touch.point->vertex[k]);
-    };
-    each_corner([&](const Touch&, double, int v) { rows_.col(v).setZero(); });
-    each_corner([&](const Touch& touch, double weight, int v) {
-        rows_.col(v) += weight * Eigen::Vector2d(touch.stiffness, touch.damping);
-    });
-    each_corner([&](const Touch&, double, int v) {
-        limits.omega_squared = std::max(limits.omega_squared, rows_(0, v) * inverse_mass_[v]);
-        limits.gamma = std::max(limits.gamma, rows_(1, v) * inverse_mass_[v]);
-    });
+    for (const Touch& touch : touches_) {
+        for (int k = 0; k < touch.point->corners; ++k) {
+            const int v = touch.point->vertex[k];
+            limits.omega_squared = std::max(limits.omega_squared, rows_(0, v) * inverse_mass_[v]);
+            limits.gamma = std::max(limits.gamma, rows_(1, v) * inverse_mass_[v]);
+            rows_.col(v).setZero();
+        }
+    }
 }
 
 ContactWork ObstacleContact::rub(Points& v, const Model& model, double h) const {

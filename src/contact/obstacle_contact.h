@@ -98,7 +98,8 @@ private:
         double normal_force;        // [N]
         double stiffness, damping;  // [N/m], [N s/m]
     };
-    // Gershgorin: each vertex's row sums over all its points in contact
+    // Gershgorin: each vertex's row sums over all its points in contact; taken and cleared by limit_modes
+    void add_rows(const Touch& touch);
     void limit_modes(ContactLimits& limits);
     SurfaceSample sample(const Pose& pose, const Vec3& p) const;
     double damping_at(double stiffness) const;  // b per area, of the barrier's stiffness per area
@@ -118,7 +119,7 @@ private:
     std::vector<int> near_;  // points within reach since the last gather
     std::vector<Touch> touches_;
     Eigen::VectorXd inverse_mass_;  // per column of the State [1/kg]
-    Eigen::Matrix2Xd rows_;         // of stiffness and damping, scratch of limit_modes
+    Eigen::Matrix2Xd rows_;         // of stiffness and damping; zero but within add_all
     Barrier barrier_;
     double offset_ = 0;  // [m]
     int level_ = 1;
