@@ -76,9 +76,7 @@ void AltitudeBlend::add_padded_conservative(const PaddedPoints& x, PaddedPoints&
 }
 
 Power AltitudeBlend::add_padded(const PaddedPoints& x, const PaddedPoints& v, PaddedPoints& f) const {
-    if (damped_) return {sweep_.push_damped(x, v, f), 0};
-    sweep_.push(x, f);
-    return {};
+    return {sweep_.push_damped(x, v, f), 0};
 }
 
 void AltitudeBlend::project(WeightedPoints& x, const WeightedPoints& before, double h) {

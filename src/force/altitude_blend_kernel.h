@@ -1,12 +1,12 @@
-// The gradient of the blend's shape s (altitude_blend.h) for blocks of triangles: what its force and its
-// projection share.
+// The gradient of the blend's shape s (altitude_blend.h) for blocks of triangles: what its energy, its step
+// bound and its projection share.
 #pragma once
 
 #include <cmath>
 
 namespace drape::blend {
 
-// triangles are worked on in blocks, as springs are (edge_spring.cpp)
+// triangles are worked on in blocks: fetch the corners, then compute side by side in vector lanes
 constexpr int block = 16;
 
 struct Columns {
@@ -33,11 +33,11 @@ struct Corners {
             }
         }
     }
-    template <int stride = 3>
+    // to weighted points
     void add_to(const Columns& t, double* points, int from, int count) const {
         for (int i = 0; i < count; ++i) {
             for (int k = 0; k < 3; ++k) {
-                double* p = points + stride * t.corner[k][from + i];
+                double* p = points + 4 * t.corner[k][from + i];
                 p[0] += x[k][i];
                 p[1] += y[k][i];
                 p[2] += z[k][i];
@@ -80,16 +80,6 @@ inline __attribute__((always_inline)) void shape_gradient(const Columns& t, cons
         g.y[2][i] = a * (nz * e2x - nx * e2z) + b1 * e1y - b0 * e0y;
         g.z[2][i] = a * (nx * e2y - ny * e2x) + b1 * e1z - b0 * e0z;
         s[i] = shape;
-    }
-}
-
-inline __attribute__((always_inline)) void multiply(Corners& g, const double* factor, int count) {
-    for (int k = 0; k < 3; ++k) {
-        for (int i = 0; i < count; ++i) {
-            g.x[k][i] *= factor[i];
-            g.y[k][i] *= factor[i];
-            g.z[k][i] *= factor[i];
-        }
     }
 }
 

@@ -145,10 +145,6 @@ void BendPlate::add_padded_conservative(const PaddedPoints& x, PaddedPoints& f) 
 }
 
 Power BendPlate::add_padded(const PaddedPoints& x, const PaddedPoints& v, PaddedPoints& f) const {
-    if (tau_ == 0) {
-        add_padded_conservative(x, f);
-        return {};
-    }
     const double quadratic =
         multiply({row_.data(), column_.data(), value_.data(), static_cast<int>(row_.size()) - 1},
                  x.col(first_).data(), v.col(first_).data(), tau_, f.col(first_).data());

@@ -44,7 +44,7 @@ DRAPE_WIDE void project(const Columns& t, const std::vector<int>& start, double*
                     g.z[k][i] *= weight[k][i];
                 }
             }
-            g.add_to<4>(t, x, from, count);
+            g.add_to(t, x, from, count);
         }
     }
 }

@@ -36,9 +36,7 @@ void EdgeSprings::add_padded_conservative(const PaddedPoints& x, PaddedPoints& f
 }
 
 Power EdgeSprings::add_padded(const PaddedPoints& x, const PaddedPoints& v, PaddedPoints& f) const {
-    if (damped_) return {sweep_.pull_damped(x, v, f), 0};
-    sweep_.pull(x, f);
-    return {};
+    return {sweep_.pull_damped(x, v, f), 0};
 }
 
 // The spring's block is c n n' + c (1 - l0/l)(I - n n'), of norm c in tension; in compression its transverse

@@ -10,6 +10,10 @@ void PaddedForce::add_conservative(In x, Out f) const {
 }
 
 Power PaddedForce::add_all(In x, In v, double, Out f) const {
+    if (is_conservative()) {
+        add_conservative(x, f);
+        return {};
+    }
     PaddedPoints at, moving, sum = PaddedPoints::Zero(4, x.cols());
     pad(x, at);
     pad(v, moving);

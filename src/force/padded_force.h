@@ -9,7 +9,8 @@ namespace drape {
 
 class PaddedForce : public Force {
 public:
-    // As add_conservative and add_all; all have a column per vertex of the State.
+    // As add_conservative and add_all; all have a column per vertex of the State. The second is asked of
+    // forces that are not conservative alone.
     virtual void add_padded_conservative(const PaddedPoints& x, PaddedPoints& f) const = 0;
     virtual Power add_padded(const PaddedPoints& x, const PaddedPoints& v, PaddedPoints& f) const = 0;
 

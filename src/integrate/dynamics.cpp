@@ -1,7 +1,5 @@
 #include "integrate/dynamics.h"
 
-#include <algorithm>
-
 #include "base/timer.h"
 
 namespace drape {
@@ -36,24 +34,29 @@ void Dynamics::to_acceleration(Points& f) const {
     }
 }
 
-bool Dynamics::sums_padded(ForceShare share) const {
-    return std::any_of(forces_.begin(), forces_.end(), [&](const ActiveForce& active) {
-        return active.force->padded() && is_in(share, *active.force);
-    });
+template <class Add>
+void Dynamics::sum_padded(In x, ForceShare share, Points& f, Add add) {
+    bool found = false;
+    for (const ActiveForce& active : forces_) {
+        const PaddedForce* force = active.force->padded();
+        if (!force || !is_in(share, *force)) continue;
+        if (!found) {
+            pad(x, padded_x_);
+            padded_f_.setZero(4, x.cols());
+        }
+        found = true;
+        add(*force);
+    }
+    if (found)
+        unpad(padded_f_, f);
+    else
+        f.setZero(3, x.cols());
 }
 
 void Dynamics::sum_conservative(In x, ForceShare share, Points& f) {
     ++sweeps_;
-    if (sums_padded(share)) {
-        pad(x, padded_x_);
-        padded_f_.setZero(4, x.cols());
-        for (const ActiveForce& active : forces_)
-            if (const PaddedForce* force = active.force->padded(); force && is_in(share, *force))
-                force->add_padded_conservative(padded_x_, padded_f_);
-        unpad(padded_f_, f);
-    } else {
-        f.setZero(3, x.cols());
-    }
+    sum_padded(x, share, f,
+               [&](const PaddedForce& force) { force.add_padded_conservative(padded_x_, padded_f_); });
     for (const ActiveForce& active : forces_) {
         if (!is_in(share, *active.force)) continue;
         if (!active.force->padded()) active.force->add_conservative(x, f);
@@ -78,17 +81,16 @@ void Dynamics::conservative_acceleration(In x, double time, Points& a) {
 void Dynamics::sum_all(In x, In v, double time, ForceShare share, Points& f) {
     ++sweeps_;
     power_ = {};
-    if (sums_padded(share)) {
-        pad(x, padded_x_);
-        pad(v, padded_v_);
-        padded_f_.setZero(4, x.cols());
-        for (const ActiveForce& active : forces_)
-            if (const PaddedForce* force = active.force->padded(); force && is_in(share, *force))
-                power_ += force->add_padded(padded_x_, padded_v_, padded_f_);
-        unpad(padded_f_, f);
-    } else {
-        f.setZero(3, x.cols());
-    }
+    bool moving = false;  // whether velocities are padded: only damping asks for them
+    sum_padded(x, share, f, [&](const PaddedForce& force) {
+        if (force.is_conservative()) {
+            force.add_padded_conservative(padded_x_, padded_f_);
+            return;
+        }
+        if (!moving) pad(v, padded_v_);
+        moving = true;
+        power_ += force.add_padded(padded_x_, padded_v_, padded_f_);
+    });
     for (const ActiveForce& active : forces_) {
         if (!is_in(share, *active.force)) continue;
         if (!active.force->padded()) power_ += active.force->add_all(x, v, time, f);

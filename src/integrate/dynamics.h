@@ -89,7 +89,10 @@ public:
     double contact_seconds() const { return contact_seconds_; }  // CPU [s]
 
 private:
-    bool sums_padded(ForceShare share) const;  // whether any force in the share works on padded vertices
+    // f = the sum of the forces that work on padded vertices, each of which `add` adds to padded_f_ at
+    // padded_x_
+    template <class Add>
+    void sum_padded(In x, ForceShare share, Points& f, Add add);
     void sum_conservative(In x, ForceShare share, Points& f);  // of forces but contact
     void sum_all(In x, In v, double time, ForceShare share, Points& f);
     void finish(In v, Points& f);  // books the pins' power, makes accelerations of forces
