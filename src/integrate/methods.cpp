@@ -84,7 +84,8 @@ constexpr std::array table{
     Method{
         .name = "xpbd",
         .summary = "one sweep of spring projections a small step: cheapest for stiff cloth to a centimetre",
-        .limit = "none from springs, which may gain energy over 1 ms; of the rest h omega <= 2 less damping",
+        .limit =
+            "none from springs, but stiff ones may gain energy from 0.1 ms; else h omega <= 2 less damping",
         .conserves = "linear momentum; springs lose energy by order h, fast modes at once",
         .avoid = "where millimetres or energy count, and on soft cloth",
         .order = 1,
@@ -115,7 +116,7 @@ constexpr std::array table{
            .make = make_backward_euler},
     Method{.name = "bdf2",
            .summary = "two steps back: second order at one solve a step",
-           .limit = "none for small motion (L-stable); over 10 ms stiff springs may gain energy",
+           .limit = "none for small motion (L-stable); from 5 ms stiff springs may gain energy",
            .conserves = "nothing: it damps motion by order h^4 of its energy a step",
            .avoid = "where steps change often: each frame starts with a step of TR-BDF2",
            .order = 2,
@@ -125,7 +126,7 @@ constexpr std::array table{
            .make = make_bdf2},
     Method{.name = "tr_bdf2",
            .summary = "trapezoid, then BDF2, within a step: second order for very stiff cloth",
-           .limit = "none for small motion (L-stable); over 10 ms stiff springs may gain energy",
+           .limit = "none for small motion (L-stable); from 10 ms stiff springs may gain energy",
            .conserves = "nothing: it damps motion by order h^4 of its energy a step",
            .avoid = "where an explicit step is affordable: two solves a step",
            .order = 2,
