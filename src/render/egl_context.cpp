@@ -1,12 +1,11 @@
 // EGL on Mesa's surfaceless platform. The library is opened at run time, when this back-end is asked for:
 // a program that draws with OSMesa then neither links EGL nor needs it installed.
-#include <dlfcn.h>
-
 #include <array>
 #include <cstdint>
 
 #include "base/error.h"
 #include "render/context.h"
+#include "render/shared_library.h"
 
 namespace drape {
 
@@ -20,26 +19,6 @@ constexpr unsigned platform_surfaceless_mesa = 0x31DD, opengl_api = 0x30A2;
 constexpr std::int32_t none = 0x3038, surface_type = 0x3033, renderable_type = 0x3040, opengl_bit = 0x0008;
 constexpr std::int32_t major_version = 0x3098, minor_version = 0x30FB, profile_mask = 0x30FD,
                        core_profile = 1;
-
-struct Library {
-    void* handle = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-
-    Library() {
-        if (!handle)
-            throw Error("EGL is not installed (no libEGL.so.1; Debian package libegl1, or use OSMesa)",
-                        Exit::cannot_write);
-    }
-    ~Library() { dlclose(handle); }
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
-
-    template <class Function>
-    Function* find(const char* name) const {
-        auto* function = reinterpret_cast<Function*>(dlsym(handle, name));
-        if (!function) throw Error(cat("libEGL.so.1 lacks ", name), Exit::cannot_write);
-        return function;
-    }
-};
 
 void require(bool holds, const char* what) {
     if (!holds) throw Error(cat("EGL surfaceless: ", what), Exit::cannot_write);
@@ -85,7 +64,7 @@ private:
             make_current_(display_, nullptr, nullptr, nullptr);
     }
 
-    Library library_;
+    SharedLibrary library_{"libEGL.so.1", "EGL is not installed: Debian package libegl1, or use OSMesa"};
     Display display_ = nullptr;
     Handle context_ = nullptr;
     unsigned (*make_current_)(Display, Handle, Handle, Handle) =

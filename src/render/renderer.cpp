@@ -5,6 +5,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "base/timer.h"
 #include "render/colour_bar.h"
 #include "render/colour_map.h"
 #include "render/drawables.h"
@@ -62,6 +63,7 @@ struct Renderer::Parts {
     void place_scene(const FrameInput& frame);
     void cast_shadows(const FrameInput& frame) const;
     void draw_seen(const FrameInput& frame, const Program& program) const;
+    void see(const FrameInput& frame) const;
     void occlude() const;
     void shade(const FrameInput& frame) const;
     PixelBox outlined(const FrameInput& frame) const;
@@ -140,6 +142,7 @@ void Renderer::Parts::place_scene(const FrameInput& frame) {
 }
 
 void Renderer::Parts::cast_shadows(const FrameInput& frame) const {
+    gl.Enable(GL_DEPTH_TEST);
     begin(targets.shadow_frame, Targets::shadow_texels, Targets::shadow_texels);
     const float far = 1;
     gl.ClearNamedFramebufferfv(targets.shadow_frame, GL_DEPTH, 0, &far);
@@ -173,6 +176,12 @@ void Renderer::Parts::draw_seen(const FrameInput& frame, const Program& program)
         program.set("model", matrix_of(frame.solid[s]));
         solids[s].draw(gl);
     }
+}
+
+void Renderer::Parts::see(const FrameInput& frame) const {
+    targets.clear_seen(gl);
+    begin(targets.seen_frame, settings.width, settings.height);
+    draw_seen(frame, programs.geometry);
 }
 
 void Renderer::Parts::screen_pass(const Program& program, std::initializer_list<GLuint> textures) const {
@@ -305,20 +314,25 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Image Renderer::draw(const FrameInput& frame) {
+Image Renderer::draw(const FrameInput& frame, std::vector<StageTime>* stages) {
     Parts& p = *parts_;
     p.context->make_current();
-    p.update(frame);
-    p.gl.Enable(GL_DEPTH_TEST);
-    p.cast_shadows(frame);
-    p.targets.clear_seen(p.gl);
-    p.begin(p.targets.seen_frame, p.settings.width, p.settings.height);
-    p.draw_seen(frame, p.programs.geometry);
-    p.occlude();
-    p.shade(frame);
-    p.antialias(frame);
-    p.draw_overlay(frame);
-    Image image = p.read();
+    const auto stage = [&](std::string_view name, auto run) {
+        const double start = stages ? process_cpu_seconds() : 0;
+        run();
+        if (!stages) return;
+        p.gl.Finish();
+        stages->push_back({name, process_cpu_seconds() - start});
+    };
+    Image image;
+    stage("upload", [&] { p.update(frame); });
+    stage("shadow map", [&] { p.cast_shadows(frame); });
+    stage("depth", [&] { p.see(frame); });
+    stage("occlusion", [&] { p.occlude(); });
+    stage("shading", [&] { p.shade(frame); });
+    stage("antialiasing", [&] { p.antialias(frame); });
+    stage("overlay", [&] { p.draw_overlay(frame); });
+    stage("read back", [&] { image = p.read(); });
     p.gl.check("drawing a frame");
     if (p.settings.overlay == Overlay::tint) draw_colour_bar(image, p.settings.scale);
     return image;

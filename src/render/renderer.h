@@ -3,12 +3,20 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "render/picture.h"
 
 namespace drape {
 
 enum class Backend { osmesa, egl_surfaceless };
+
+// CPU seconds of a stage of one frame, all threads.
+struct StageTime {
+    std::string_view name;
+    double cpu_seconds = 0;
+};
 
 class Renderer {
 public:
@@ -19,7 +27,8 @@ public:
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    Image draw(const FrameInput& frame);
+    // `stages`, where given, gets what each stage of the frame took; waiting for each to end costs a little.
+    Image draw(const FrameInput& frame, std::vector<StageTime>* stages = nullptr);
     std::string description() const;  // GL_RENDERER and version, for the report
 
 private:

@@ -65,6 +65,19 @@ TEST_CASE("drawing the same frame again gives the same pixels, whatever was draw
     CHECK(renderer.draw(picture.frame).rgb == first.rgb);
 }
 
+TEST_CASE("timing the stages of a frame names each once and changes no pixel", "[render]") {
+    const SmallPicture picture;
+    Renderer renderer(picture.settings, {{&picture.sheet, palette(0)}}, {picture.sphere});
+    std::vector<StageTime> stages;
+    CHECK(renderer.draw(picture.frame, &stages).rgb == renderer.draw(picture.frame).rgb);
+    CHECK(stages.size() == 8);
+    for (const StageTime& stage : stages) {
+        CHECK(stage.cpu_seconds >= 0);
+        CHECK(std::count_if(stages.begin(), stages.end(),
+                            [&](const StageTime& other) { return other.name == stage.name; }) == 1);
+    }
+}
+
 TEST_CASE("a solid out of sight changes no pixel", "[render]") {
     SmallPicture picture;
     const Image without = picture.draw();
