@@ -114,22 +114,21 @@ Segments springs_of(const Model& model, In x) {
 }  // namespace
 
 PictureMaker::PictureMaker(const SceneDescription& scene, const Simulation& simulation)
-    : overlay_(scene.look.overlay),
-      renderer_(settings_of(scene, simulation), cloths_of(scene, simulation), solids_of(scene, simulation)) {}
+    : renderer_(settings_of(scene, simulation), cloths_of(scene, simulation), solids_of(scene, simulation)) {}
 
-Image PictureMaker::draw(const Simulation& simulation, const State& state,
-                         const Eigen::VectorXf& vertex_error) {
+FrameInput frame_input(const std::string& overlay, const Simulation& simulation, const State& state,
+                       const Eigen::VectorXf& vertex_error) {
     FrameInput frame;
     for (const Cloth& cloth : simulation.model().cloths) {
         frame.cloth.emplace_back(state.x.middleCols(cloth.first, cloth.vertices()));
-        if (overlay_ == "strain")
+        if (overlay == "strain")
             frame.tint.push_back(vertex_strain(cloth, state.x) / static_cast<float>(strain_range));
-        if (overlay_ == "error") frame.tint.push_back(error_tint(cloth, vertex_error));
+        if (overlay == "error") frame.tint.push_back(error_tint(cloth, vertex_error));
     }
     for (const Obstacle& obstacle : simulation.obstacles())
         frame.solid.push_back(obstacle.motion.at(state.time).pose);
-    if (overlay_ == "springs") frame.segments = springs_of(simulation.model(), state.x);
-    return renderer_.draw(frame);
+    if (overlay == "springs") frame.segments = springs_of(simulation.model(), state.x);
+    return frame;
 }
 
 }  // namespace drape

@@ -1,7 +1,6 @@
 // Hands a simulation's frames to the renderer.
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "base/image.h"
@@ -11,17 +10,19 @@
 
 namespace drape {
 
+// The cloth as it is in `state`, among the simulation's obstacles at that time; `vertex_error` [m], empty if
+// not known, is what the overlay of that name shows.
+FrameInput frame_input(const std::string& overlay, const Simulation& simulation, const State& state,
+                       const Eigen::VectorXf& vertex_error = {});
+
 class PictureMaker {
 public:
     PictureMaker(const SceneDescription& scene, const Simulation& simulation);
 
-    // the cloth as it is in `state`, among the simulation's obstacles at that time; `vertex_error` [m], empty
-    // if not known, is what the overlay of that name shows
-    Image draw(const Simulation& simulation, const State& state, const Eigen::VectorXf& vertex_error = {});
+    Image draw(const FrameInput& frame) { return renderer_.draw(frame); }
     std::string renderer() const { return renderer_.description(); }
 
 private:
-    std::string overlay_;
     Renderer renderer_;
 };
 

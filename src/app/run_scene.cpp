@@ -13,7 +13,6 @@
 #include "app/version.h"
 #include "base/hash.h"
 #include "io/cache_writer.h"
-#include "io/png.h"
 #include "io/read_file.h"
 #include "io/write_file.h"
 #include "report/report.h"
@@ -21,6 +20,7 @@
 #include "scene/scene_text.h"
 #include "simulate/checkpoint.h"
 #ifdef DRAPE_WITH_RENDER
+#include "app/picture_line.h"
 #include "app/picture_maker.h"
 #endif
 
@@ -78,7 +78,7 @@ private:
     std::vector<std::string> replayed_hashes_;  // of every frame
     std::vector<std::unique_ptr<CacheWriter>> caches_;
 #ifdef DRAPE_WITH_RENDER
-    std::unique_ptr<PictureMaker> pictures_;
+    std::unique_ptr<PictureLine> pictures_;  // ends before what it draws
 #endif
 };
 
@@ -109,10 +109,7 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     report_.start = simulation.energies();
 #ifdef DRAPE_WITH_RENDER
     // the room the cloth moves in is judged from its start, wherever a resumed run goes on
-    if (options.pictures) {
-        const CpuScope timer(report_.times.render);
-        pictures_ = std::make_unique<PictureMaker>(scene_, delivery_->simulation());
-    }
+    if (options.pictures) pictures_ = std::make_unique<PictureLine>(scene_, delivery_->simulation(), out_);
 #endif
     prepare_folder();
     if (options.resume) resume();
@@ -213,30 +210,31 @@ void Run::resume() {
 void Run::draw_frame([[maybe_unused]] int frame) {
 #ifdef DRAPE_WITH_RENDER
     if (!options_.pictures || frame < drawn_[0]) return;
-    Image image;
-    {
-        const CpuScope timer(report_.times.render);
-        image = pictures_->draw(delivery_->simulation(), delivery_->state(), delivery_->vertex_error());
-    }
-    std::vector<std::uint8_t> png;
-    {
-        const CpuScope timer(report_.times.encode);
-        png = encode_png(image);
-    }
-    const CpuScope timer(report_.times.write);
-    char name[32];
-    std::snprintf(name, sizeof name, "/frame_%04d.png", frame);
-    write_file(out_ + name, png);
+    pictures_->add(frame, frame_input(scene_.look.overlay, delivery_->simulation(), delivery_->state(),
+                                      delivery_->vertex_error()));
 #endif
 }
 
+// Pictures of the frames that a resumed run takes for done are written before.
 void Run::save_checkpoint() {
-    const CpuScope timer(report_.times.write);
+#ifdef DRAPE_WITH_RENDER
+    if (pictures_) pictures_->drain();
+#endif
+    const ThreadCpuScope timer(report_.times.write);
     write_file(out_ + "/checkpoint",
                checkpoint_bytes({scene_hash_, report_.start.total(), delivery_->save()}));
 }
 
 void Run::finish(bool complete) {
+#ifdef DRAPE_WITH_RENDER
+    if (pictures_) {
+        pictures_->drain();
+        report_.times.render = pictures_->times().render;
+        report_.times.encode = pictures_->times().encode;
+        report_.times.write += pictures_->times().write;
+        report_.renderer = pictures_->renderer();
+    }
+#endif
     for (const auto& cache : caches_) cache->finish();
     add_output_stages();
     const Simulation& simulation = delivery_->simulation();
@@ -255,9 +253,6 @@ void Run::finish(bool complete) {
     report_.times.error = report_.error.seconds;
     report_.times.total = process_cpu_seconds();
     report_.times.wall = wall_.seconds();
-#ifdef DRAPE_WITH_RENDER
-    if (pictures_) report_.renderer = pictures_->renderer();
-#endif
     write_file(out_ + "/report.json", report_json(report_));
     if (complete) {
         std::error_code none;
@@ -350,9 +345,9 @@ Exit run_scene(const RunOptions& options) {
 #endif
     // before a folder tells others that the run has begun
     catch_interrupts();
-    // Mesa's rasteriser reads its number of threads from the environment
-    const int threads = threads_of(options);
-    setenv("LP_NUM_THREADS", std::to_string(threads == 1 ? 0 : threads).c_str(), 1);
+    // Mesa's rasteriser draws on the thread that asks it to: the passes of the simulation keep the others
+    // busy, and that thread's CPU time is then what the pictures cost
+    setenv("LP_NUM_THREADS", "0", 1);
     return Run(options).go();
 }
 

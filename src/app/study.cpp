@@ -57,7 +57,9 @@ DrawState drawer([[maybe_unused]] SceneDescription scene, [[maybe_unused]] const
     any.method = "verlet";
     any.step.reset();
     const auto kept = std::make_shared<Kept>(scene, any);
-    return [kept](const State& state) { return kept->pictures.draw(kept->simulation, state); };
+    return [kept, overlay = scene.look.overlay](const State& state) {
+        return kept->pictures.draw(frame_input(overlay, kept->simulation, state));
+    };
 #else
     return {};
 #endif

@@ -1,4 +1,8 @@
 // Usage and bad input: one line, the right exit code, nothing left behind.
+#include <array>
+#include <cstdio>
+#include <memory>
+
 #include <catch2/catch.hpp>
 
 #include "support/run_program.h"
@@ -106,6 +110,19 @@ TEST_CASE("help and version are answered, exit 0", "[app]") {
         CHECK_THAT(help.out, Catch::Contains(verb));
     CHECK(run_drape({"render", "--help"}).exit_code == 0);
     CHECK_THAT(run_drape({"--version"}).out, Catch::StartsWith("drape "));
+}
+
+TEST_CASE("the program starts without loading OpenGL", "[app]") {
+    // the dynamic loader lists what it loads at start-up instead of running the program
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(
+        popen("LD_TRACE_LOADED_OBJECTS=1 '" DRAPE_PROGRAM "'", "r"), pclose);
+    REQUIRE(pipe);
+    std::string loaded;
+    std::array<char, 512> line{};
+    while (std::fgets(line.data(), static_cast<int>(line.size()), pipe.get())) loaded += line.data();
+    CHECK_THAT(loaded, Catch::Contains("libc.so"));
+    for (const char* library : {"OSMesa", "libEGL", "libGL", "LLVM"})
+        CHECK_THAT(loaded, !Catch::Contains(library));
 }
 
 TEST_CASE("output that cannot be written is exit 3", "[app]") {

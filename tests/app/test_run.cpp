@@ -286,6 +286,31 @@ TEST_CASE("pictures of a resumed run are those of one that was never interrupted
         CHECK(bytes_of(out + frame) == bytes_of(folder.file("whole") + frame));
 }
 
+TEST_CASE("pictures are the same whether the passes run by turns or side by side", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("drop.toml", small_drop());
+    for (const char* threads : {"1", "3"})
+        REQUIRE(run_drape({"render", scene, "--threads", threads, "--quiet", "--out", folder.file(threads)})
+                    .exit_code == 0);
+    for (const char* frame : {"/frame_0001.png", "/frame_0002.png", "/frame_0003.png", "/frame_0004.png"})
+        CHECK(bytes_of(folder.file("1") + frame) == bytes_of(folder.file("3") + frame));
+    const Json time = report_of(folder.file("3"))["time"];
+    CHECK(time["render_s"].get<double>() > 0);
+    CHECK(time["encode_s"].get<double>() > 0);
+}
+
+TEST_CASE("a picture that cannot be written ends the run with exit 3", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("drop.toml", small_drop());
+    // in the way, though no frame of an earlier run: a folder that is not empty
+    std::filesystem::create_directories(folder.file("out") + "/frame_0002.png/kept");
+    const Ran ran = run_drape({"render", scene, "--frames", "1:4", "--quiet", "--out", folder.file("out")});
+    CHECK(ran.exit_code == 3);
+    CHECK(ran.error_lines() == 1);
+    CHECK(std::filesystem::exists(folder.file("out") + "/frame_0001.png"));
+    CHECK_FALSE(std::filesystem::exists(folder.file("out") + "/frame_0003.png"));
+}
+
 TEST_CASE("render leaves a picture per frame, the cloth where the camera sees it", "[app]") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("drop.toml", small_drop());
@@ -318,7 +343,7 @@ TEST_CASE("render leaves a picture per frame, the cloth where the camera sees it
 
 TEST_CASE("a program without the renderer says so, and still simulates", "[app]") {
     const TemporaryFolder folder;
-    const Ran ran = run_drape({"render", folder.file("drop.toml", small_drop())}, folder.path());
+    const Ran ran = run_drape({"render", folder.file("drop.toml", small_drop())}, folder.file());
     CHECK(ran.exit_code == 2);
     CHECK_THAT(ran.err, Catch::Contains("built without a renderer"));
 }
