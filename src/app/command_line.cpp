@@ -186,6 +186,7 @@ Action declare_mesh(CLI::App& verb) {
     verb.add_option("--size", wanted->size, "of the sheet in metres (default 1 1)")->type_name("WIDTH DEPTH");
     verb.add_option("--divisions", wanted->divisions, "quads along the two sides (default 32 32)")
         ->type_name("COLUMNS ROWS");
+    verb.add_option("--seed", wanted->seed, "of patterns that throw dice (default 1)")->type_name("N");
     return [wanted] { return write_pattern(*wanted); };
 }
 

@@ -26,7 +26,7 @@ _drape() {
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
-        mesh) words="one_way alternating -o --size --divisions --help" ;;
+        mesh) words="one_way alternating crossed equilateral pseudo_random -o --size --divisions --seed --help" ;;
         list) words="scenes fabrics methods obstacles patterns --help" ;;
         *) return ;;
     esac

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +56,7 @@ struct PatternOptions {
     std::string pattern, file;
     std::array<double, 2> size{1, 1};      // width, depth [m]
     std::array<int, 2> divisions{32, 32};  // columns, rows
+    std::uint64_t seed = 1;
 };
 
 }  // namespace drape

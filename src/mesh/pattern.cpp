@@ -1,10 +1,12 @@
 #include "mesh/pattern.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/names.h"
+#include "mesh/pattern_kinds.h"
 
 namespace drape {
 
@@ -12,50 +14,31 @@ namespace {
 
 constexpr long long most_vertices = 20'000'000;
 
-// Cuts every quad along the diagonal that `rising(column, row)` chooses.
-template <class Rising>
-Mesh cut_grid(const PatternSize& size, Rising rising) {
-    const int across = size.columns + 1, down = size.rows + 1;
-    Points rest(3, across * down);
-    Eigen::Matrix2Xf uv(2, across * down);
-    for (int j = 0; j < down; ++j) {
-        for (int i = 0; i < across; ++i) {
-            const double s = double(i) / size.columns, t = double(j) / size.rows;
-            rest.col(j * across + i) = Vec3((s - 0.5) * size.width, 0, (t - 0.5) * size.depth);
-            uv.col(j * across + i) = Eigen::Vector2f(float(s), float(t));
-        }
-    }
-    Faces faces(3, 2 * size.columns * size.rows);
-    int f = 0;
-    for (int j = 0; j < size.rows; ++j) {
-        for (int i = 0; i < size.columns; ++i) {
-            // corners of the quad; counter-clockwise seen from +y is a, d, c, b
-            const int a = j * across + i, b = a + 1, c = b + across, d = a + across;
-            if (rising(i, j)) {
-                faces.col(f++) = Eigen::Vector3i(a, c, b);
-                faces.col(f++) = Eigen::Vector3i(a, d, c);
-            } else {
-                faces.col(f++) = Eigen::Vector3i(a, d, b);
-                faces.col(f++) = Eigen::Vector3i(b, d, c);
-            }
-        }
-    }
-    return plain_mesh(std::move(rest), std::move(faces), std::move(uv));
-}
-
-Mesh one_way(const PatternSize& size) {
-    return cut_grid(size, [](int, int) { return true; });
-}
-
-Mesh alternating(const PatternSize& size) {
-    return cut_grid(size, [](int i, int j) { return (i + j) % 2 == 0; });
-}
-
 constexpr std::array kinds{
-    PatternKind{"one_way", "every diagonal the same way: stiffer along it, folds follow it", one_way},
+    PatternKind{"one_way", "every diagonal the same way: stiffer along it, folds follow it", make_one_way,
+                true},
     PatternKind{"alternating", "diagonals alternate from quad to quad: no direction preferred among the two",
-                alternating},
+                make_alternating, true},
+    PatternKind{"crossed", "both diagonals of each quad, through a vertex in its centre", make_crossed},
+    PatternKind{
+        "equilateral",
+        "equilateral triangles as wide as a column, in as many rows as fit: the same in all directions",
+        make_equilateral},
+    PatternKind{"pseudo_random",
+                "Poisson-disk points in Delaunay triangles, as many as the divisions ask for; `seed` tells "
+                "them apart",
+                make_pseudo_random},
 };
+
+// At least as many as the pattern will have, but for a few.
+double about_vertices(const PatternKind& kind, const PatternSize& size) {
+    const double columns = size.columns + 1.0, on_grid = columns * (size.rows + 1.0);
+    if (kind.on_grid) return on_grid;
+    // crossed: a centre a quad; equilateral: rows as the columns have it; pseudo_random: a long thin border
+    const double rows = size.depth / size.width * size.columns / std::sqrt(0.75);
+    const double edge = std::sqrt(size.width / size.columns * size.depth / size.rows);
+    return std::max({2 * on_grid, columns * (rows + 1), 2 * (size.width + size.depth) / edge});
+}
 
 }  // namespace
 
@@ -69,9 +52,9 @@ Mesh make_pattern(std::string_view name, const PatternSize& size) {
         throw Error(cat("pattern size must be positive, got ", size.width, " x ", size.depth, " m"));
     if (size.columns < 1 || size.rows < 1)
         throw Error(cat("pattern divisions must be at least 1, got ", size.columns, " x ", size.rows));
-    const long long vertices = (size.columns + 1LL) * (size.rows + 1LL);
-    if (vertices > most_vertices)
-        throw Error(cat("pattern of ", size.columns, " x ", size.rows, " divisions has ", vertices,
+    const double vertices = about_vertices(kind, size);
+    if (!(vertices <= most_vertices))
+        throw Error(cat("pattern of ", size.columns, " x ", size.rows, " divisions has some ", vertices,
                         " vertices (at most ", most_vertices, ")"));
     return kind.make(size);
 }

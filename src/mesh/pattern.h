@@ -1,29 +1,39 @@
 // Generated cloth meshes: a rectangle cut into triangles by a pattern. A new pattern: its function in
-// pattern.cpp, its row in the table, its sentence in the README; the tests loop over the table.
+// regular_patterns.cpp or irregular_patterns.cpp, its declaration in pattern_kinds.h, its row in the table
+// (pattern.cpp), its sentence in the README; the tests loop over the table.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "mesh/mesh.h"
+#include "mesh/poisson_disk.h"
 
 namespace drape {
 
 struct PatternSize {
     double width = 1, depth = 1;  // along x and z [m]
     int columns = 32, rows = 32;  // quads along x and z
+    std::uint64_t seed = 1;       // of patterns that throw dice
 };
 
 struct PatternKind {
     std::string_view name;
     std::string_view summary;
     Mesh (*make)(const PatternSize&);
+    bool on_grid = false;  // its vertices are (columns + 1) x (rows + 1), row by row
 };
 
 std::span<const PatternKind> pattern_kinds();
 
 // A horizontal sheet centred on the origin at y = 0, front side up, uv = (x, z) / size from corner to corner.
-// Vertices run row by row along x. Throws Error for an unknown name, a size that is not positive or too fine.
+// Vertices run row by row along x, of irregular patterns about so. Throws Error for an unknown name, a size
+// that is not positive or too fine.
 Mesh make_pattern(std::string_view name, const PatternSize& size);
+
+// The rectangle in Delaunay triangles as large as the field says for each place (x, z) [m]; of `size`, the
+// divisions are not read. Fields that change by half an edge's length along an edge make good triangles.
+Mesh make_graded(const PatternSize& size, const SizeField& edge_length);
 
 }  // namespace drape

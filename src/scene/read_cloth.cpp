@@ -9,9 +9,9 @@ namespace {
 
 constexpr int most_divisions = 1'000'000;
 
-// pattern = { name = "alternating", size = [1, 1], divisions = [64, 64] }
+// pattern = { name = "alternating", size = [1, 1], divisions = [64, 64], seed = 1 }
 void read_pattern(const Value& value, ClothDescription& cloth) {
-    const Keys keys(value, "pattern", {"name", "size", "divisions"});
+    const Keys keys(value, "pattern", {"name", "size", "divisions", "seed"});
     if (const Value* name = keys.find("name"))
         cloth.pattern = as_kind(*name, "pattern", pattern_kinds()).name;
     if (const Value* size = keys.find("size")) {
@@ -24,6 +24,9 @@ void read_pattern(const Value& value, ClothDescription& cloth) {
         cloth.pattern_size.columns = as_integer(counts[0], "divisions", 1, most_divisions);
         cloth.pattern_size.rows = as_integer(counts[1], "divisions", 1, most_divisions);
     }
+    if (const Value* seed = keys.find("seed"))
+        cloth.pattern_size.seed =
+            static_cast<std::uint64_t>(as_integer(*seed, "seed", 0, std::numeric_limits<int>::max()));
 }
 
 Placement read_placement(const Value& value) {

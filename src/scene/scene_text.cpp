@@ -104,7 +104,7 @@ std::string cloth_text(const ClothDescription& cloth) {
     if (cloth.mesh.empty())
         text += cat("pattern = { name = ", toml(cloth.pattern), ", size = [", toml(cloth.pattern_size.width),
                     ", ", toml(cloth.pattern_size.depth), "], divisions = [", cloth.pattern_size.columns,
-                    ", ", cloth.pattern_size.rows, "] }\n");
+                    ", ", cloth.pattern_size.rows, "], seed = ", cloth.pattern_size.seed, " }\n");
     else
         text += cat("mesh = ", toml(cloth.mesh), "\n");
     text += cat("place = { translate = ", toml(cloth.placement.translate),

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/names.h"
 #include "scene/builder.h"
 #include "simulate/predicted_cost.h"
 #include "study/measure.h"
@@ -22,6 +23,9 @@ std::string why_not(const SceneDescription& scene) {
         const ClothDescription& cloth = scene.cloths[c];
         if (!cloth.mesh.empty())
             return cat("cloth ", c + 1, " is a mesh file; refining the mesh needs a pattern");
+        if (!find_named(pattern_kinds(), "pattern", cloth.pattern).on_grid)
+            return cat("cloth ", c + 1, " is ", cloth.pattern,
+                       ", whose finer meshes do not share vertices with it");
         if (!cloth.start.mesh.empty())
             return cat("cloth ", c + 1, " starts from a mesh file, which has one set of divisions");
     }

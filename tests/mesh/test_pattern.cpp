@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "mesh/quality.h"
 #include "mesh/topology.h"
 #include "support/meshes.h"
 
@@ -25,7 +26,12 @@ TEST_CASE("every pattern covers its rectangle once, front side up, in one piece 
         CHECK(topology.components == 1);
         CHECK(topology.non_manifold_edges == 0);
         REQUIRE(topology.boundary_loops.size() == 1);
-        CHECK(topology.boundary_loops[0].size() == 2 * (9 + 4));
+        if (kind.on_grid || kind.name == "crossed") CHECK(topology.boundary_loops[0].size() == 2 * (9 + 4));
+        // the border is the rectangle's, straight to the last bit
+        for (const int v : topology.boundary_loops[0]) {
+            const Vec3 p = mesh.rest.col(v);
+            CHECK((std::abs(p.x()) == 0.75 || std::abs(p.z()) == 0.35));
+        }
         // Euler: V - E + F = 1 for a disc
         CHECK(mesh.vertices() - static_cast<int>(topology.edges.size()) + mesh.triangles() == 1);
     }
@@ -54,4 +60,79 @@ TEST_CASE("patterns that make no sense are refused", "[mesh]") {
     CHECK_FALSE(error_of([] { make_pattern("one_way", {1, INFINITY, 2, 2}); }).empty());
     CHECK_FALSE(error_of([] { make_pattern("one_way", {1, 1, 0, 2}); }).empty());
     CHECK_FALSE(error_of([] { make_pattern("one_way", {1, 1, 2'000'000'000, 2'000'000'000}); }).empty());
+    CHECK_FALSE(error_of([] { make_pattern("crossed", {1, 1, 4000, 4000}); }).empty());
+    CHECK_FALSE(error_of([] { make_pattern("equilateral", {1e-9, 1, 32, 32}); }).empty());
+    CHECK_FALSE(error_of([] { make_pattern("pseudo_random", {1e-12, 1e3, 32, 32}); }).empty());
+}
+
+TEST_CASE("patterns as coarse and as long as can be are whole meshes too", "[mesh]") {
+    for (const PatternKind& kind : pattern_kinds()) {
+        for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 2}, {2, 1}, {1, 30}, {30, 1}, {3, 7}}) {
+            for (const double depth : {0.01, 1.0, 20.0}) {
+                CAPTURE(kind.name, columns, rows, depth);
+                const Mesh mesh = make_pattern(kind.name, {1, depth, columns, rows});
+                const Topology topology = build_topology(mesh.faces, mesh.vertices());
+                const MeshQuality quality = measure_quality(mesh, topology);
+                CHECK(quality.area == Approx(depth).epsilon(1e-9));
+                CHECK(quality.components == 1);
+                CHECK(quality.boundary_loops == 1);
+                CHECK(quality.non_manifold_edges == 0);
+                CHECK(quality.vertices - quality.edges + quality.triangles == 1);
+            }
+        }
+    }
+}
+
+TEST_CASE("equilateral triangles are equilateral but for what the rows must give to fit", "[mesh]") {
+    const Mesh mesh = make_pattern("equilateral", {1, 1, 32, 32});
+    int equilateral = 0;
+    double longest = 0, shortest = 1;
+    for (int f = 0; f < mesh.triangles(); ++f) {
+        Eigen::Vector3d side;
+        for (int k = 0; k < 3; ++k)
+            side[k] = (mesh.rest.col(mesh.faces(k, f)) - mesh.rest.col(mesh.faces((k + 1) % 3, f))).norm();
+        if (side.maxCoeff() > 1.3 * side.minCoeff()) continue;  // halves, at the sides
+        ++equilateral;
+        longest = std::max(longest, side.maxCoeff());
+        shortest = std::min(shortest, side.minCoeff());
+    }
+    CHECK(equilateral == mesh.triangles() - 2 * 37);
+    CHECK(longest / shortest < 1.002);  // measured: 1.001; 37 rows where 36.95 would fit
+}
+
+TEST_CASE("pseudo-random vertices are as many as asked, its triangles well shaped, and its seed tells",
+          "[mesh]") {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+        CAPTURE(seed);
+        const Mesh mesh = make_pattern("pseudo_random", {1, 1, 32, 32, seed});
+        const MeshQuality quality = measure_quality(mesh, build_topology(mesh.faces, mesh.vertices()));
+        CHECK(quality.vertices == Approx(33 * 33).epsilon(0.05));
+        CHECK(quality.slivers == 0);
+        CHECK(quality.smallest_angle_deg > 20);
+        CHECK(quality.step_cost < 1.8);  // measured: 1.63
+    }
+    const Mesh one = make_pattern("pseudo_random", {1, 1, 16, 16, 1}),
+               again = make_pattern("pseudo_random", {1, 1, 16, 16, 1}),
+               other = make_pattern("pseudo_random", {1, 1, 16, 16, 2});
+    CHECK(one.rest == again.rest);
+    CHECK(one.faces == again.faces);
+    CHECK((one.vertices() != other.vertices() || one.rest != other.rest));
+}
+
+TEST_CASE("a graded sheet's edges are as long as its size field has it", "[mesh]") {
+    const SizeField field = [](const Eigen::Vector2d& p) { return p.x() < 0 ? 0.05 : 0.025; };
+    const Mesh mesh = make_graded({2, 0.5, 40, 10}, field);
+    const Topology topology = build_topology(mesh.faces, mesh.vertices());
+    double sum[2] = {0, 0};
+    int count[2] = {0, 0};
+    for (const Edge& edge : topology.edges) {
+        const Vec3 a = mesh.rest.col(edge.vertex[0]), b = mesh.rest.col(edge.vertex[1]);
+        const size_t fine = (a + b).x() > 0;
+        if (std::abs((a + b).x()) < 0.2) continue;  // where the two meet
+        sum[fine] += (b - a).norm();
+        ++count[fine];
+    }
+    CHECK(measure_quality(mesh, topology).smallest_angle_deg > 12);
+    CHECK(sum[0] / count[0] / 0.05 == Approx(1.1).margin(0.05));
+    CHECK(sum[1] / count[1] / 0.025 == Approx(1.1).margin(0.05));
 }

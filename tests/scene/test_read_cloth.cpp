@@ -42,7 +42,7 @@ TEST_CASE("a pattern's name, sides and divisions are checked", "[scene]") {
     CHECK(sheet.pattern_size.rows == 16);
     CHECK(error_of(cloth("{ name = \"oneway\" }")) ==
           "scene.toml:3:20: unknown pattern \"oneway\"; did you mean \"one_way\"? (known: one_way, "
-          "alternating)");
+          "alternating, crossed, equilateral, pseudo_random)");
     CHECK(error_of(cloth("{ size = [1, 0] }")) == "scene.toml:3:24: size must be positive, got 0 m");
     CHECK(error_of(cloth("{ size = 1 }")) ==
           "scene.toml:3:20: size: expected an array of 2, found the integer 1");

@@ -1,5 +1,7 @@
 #include "support/cloths.h"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace drape::test {
@@ -20,9 +22,9 @@ Mesh jittered_square(int divisions, std::string_view pattern, double amount) {
     Mesh mesh = square(divisions, pattern);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> shift(-amount / divisions, amount / divisions);
-    for (int j = 1; j < divisions; ++j)
-        for (int i = 1; i < divisions; ++i)
-            mesh.rest.col(j * (divisions + 1) + i) += Vec3(shift(random), 0, shift(random));
+    for (int v = 0; v < mesh.vertices(); ++v)
+        if (std::max(std::abs(mesh.rest(0, v)), std::abs(mesh.rest(2, v))) < 0.5)
+            mesh.rest.col(v) += Vec3(shift(random), 0, shift(random));
     return mesh;
 }
 
