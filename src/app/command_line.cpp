@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <limits>
 
 #include <CLI/CLI.hpp>
 
@@ -186,7 +187,9 @@ Action declare_mesh(CLI::App& verb) {
     verb.add_option("--size", wanted->size, "of the sheet in metres (default 1 1)")->type_name("WIDTH DEPTH");
     verb.add_option("--divisions", wanted->divisions, "quads along the two sides (default 32 32)")
         ->type_name("COLUMNS ROWS");
-    verb.add_option("--seed", wanted->seed, "of patterns that throw dice (default 1)")->type_name("N");
+    verb.add_option("--seed", wanted->seed, "of patterns that throw dice (default 1)")
+        ->type_name("N")
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()));
     return [wanted] { return write_pattern(*wanted); };
 }
 

@@ -40,6 +40,9 @@ TEST_CASE("a pattern's name, sides and divisions are checked", "[scene]") {
     CHECK(sheet.pattern_size.depth == 0.5);
     CHECK(sheet.pattern_size.columns == 64);
     CHECK(sheet.pattern_size.rows == 16);
+    CHECK(sheet.pattern_size.seed == 1);
+    CHECK(scene_of(cloth("{ name = \"pseudo_random\", seed = 7 }")).cloths.at(0).pattern_size.seed == 7);
+    CHECK(error_of(cloth("{ seed = -1 }")).starts_with("scene.toml:3:20: seed"));
     CHECK(error_of(cloth("{ name = \"oneway\" }")) ==
           "scene.toml:3:20: unknown pattern \"oneway\"; did you mean \"one_way\"? (known: one_way, "
           "alternating, crossed, equilateral, pseudo_random)");
