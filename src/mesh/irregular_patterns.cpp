@@ -73,27 +73,19 @@ Mesh mesh_of(const PatternSize& size, const Eigen::Matrix2Xd& points) {
     return plain_mesh(std::move(rest), std::move(faces), uv);
 }
 
-Mesh scattered(const PatternSize& size, const SizeField& edge_length, double finest) {
+}  // namespace
+
+Mesh make_pseudo_random(const PatternSize& size) {
     const Vec2 half(size.width / 2, size.depth / 2);
+    const double edge = std::sqrt(size.width / size.columns * size.depth / size.rows);
+    const SizeField edge_length = [edge](const Vec2&) { return edge; };
     const Region inside = [&](const Vec2& p) {
         return std::abs(p.x()) < half.x() && std::abs(p.y()) < half.y();
     };
     Eigen::Matrix2Xd points =
         poisson_disk(rectangle_border(half, edge_length), inside, edge_length, size.seed);
-    order_by_strips(points, finest);
+    order_by_strips(points, edge);
     return mesh_of(size, points);
-}
-
-}  // namespace
-
-Mesh make_pseudo_random(const PatternSize& size) {
-    const double edge = std::sqrt(size.width / size.columns * size.depth / size.rows);
-    return scattered(
-        size, [edge](const Vec2&) { return edge; }, edge);
-}
-
-Mesh make_graded(const PatternSize& size, const SizeField& edge_length) {
-    return scattered(size, edge_length, std::sqrt(size.width / size.columns * size.depth / size.rows));
 }
 
 }  // namespace drape

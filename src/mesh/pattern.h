@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "mesh/mesh.h"
-#include "mesh/poisson_disk.h"
 
 namespace drape {
 
@@ -31,9 +30,5 @@ std::span<const PatternKind> pattern_kinds();
 // Vertices run row by row along x, of irregular patterns about so. Throws Error for an unknown name, a size
 // that is not positive or too fine.
 Mesh make_pattern(std::string_view name, const PatternSize& size);
-
-// The rectangle in Delaunay triangles as large as the field says for each place (x, z) [m]; of `size`, the
-// divisions are not read. Fields that change by half an edge's length along an edge make good triangles.
-Mesh make_graded(const PatternSize& size, const SizeField& edge_length);
 
 }  // namespace drape

@@ -61,7 +61,8 @@ TEST_CASE("moving and tilting are the only ways to deform a plate for nothing", 
         CHECK((k - k.transpose()).norm() < 1e-13 * k.norm());
         const Eigen::VectorXd values = eigenvalues(k);
         CHECK(values.head<3>().cwiseAbs().maxCoeff() < 1e-14 * values.maxCoeff());  // measured: 1.2e-16
-        CHECK(values[3] > 3e-4 * values.maxCoeff());  // measured: 1.3e-3 to 5e-3; crosses, jittered, 3.7e-4
+        // measured: 1.3e-3 to 5e-3; crosses, jittered, 3.7e-4
+        CHECK(values[3] > (sheet.name == "crossed, jittered" ? 3e-4 : 5e-4) * values.maxCoeff());
         Eigen::MatrixXd rigid(cloth.vertices(), 3);
         rigid << Eigen::VectorXd::Ones(cloth.vertices()), sheet.mesh.rest.row(0).transpose(),
             sheet.mesh.rest.row(2).transpose();

@@ -118,21 +118,3 @@ TEST_CASE("pseudo-random vertices are as many as asked, its triangles well shape
     CHECK(one.faces == again.faces);
     CHECK((one.vertices() != other.vertices() || one.rest != other.rest));
 }
-
-TEST_CASE("a graded sheet's edges are as long as its size field has it", "[mesh]") {
-    const SizeField field = [](const Eigen::Vector2d& p) { return p.x() < 0 ? 0.05 : 0.025; };
-    const Mesh mesh = make_graded({2, 0.5, 40, 10}, field);
-    const Topology topology = build_topology(mesh.faces, mesh.vertices());
-    double sum[2] = {0, 0};
-    int count[2] = {0, 0};
-    for (const Edge& edge : topology.edges) {
-        const Vec3 a = mesh.rest.col(edge.vertex[0]), b = mesh.rest.col(edge.vertex[1]);
-        const size_t fine = (a + b).x() > 0;
-        if (std::abs((a + b).x()) < 0.2) continue;  // where the two meet
-        sum[fine] += (b - a).norm();
-        ++count[fine];
-    }
-    CHECK(measure_quality(mesh, topology).smallest_angle_deg > 12);
-    CHECK(sum[0] / count[0] / 0.05 == Approx(1.1).margin(0.05));
-    CHECK(sum[1] / count[1] / 0.025 == Approx(1.1).margin(0.05));
-}
