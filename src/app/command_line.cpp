@@ -178,6 +178,27 @@ Action declare_stability(CLI::App& verb) {
     return [map] { return map_stability(*map); };
 }
 
+Action declare_compare(CLI::App& verb) {
+    auto asked = std::make_shared<CompareRequest>();
+    verb.add_option("RESULT", asked->result,
+                    "a picture, a cache (.pc2, .mdd), or a folder of frames and caches")
+        ->required();
+    verb.add_option("REFERENCE", asked->reference, "what it should be like, of the same kind")->required();
+    verb.add_option("--share", asked->share_over,
+                    "share of a picture's pixels that may be over 8 levels off (default 2e-5)")
+        ->type_name("SHARE")
+        ->check(CLI::Range(0.0, 1.0));
+    verb.add_option("--mean", asked->mean_levels, "mean difference a picture may have (default 2e-3)")
+        ->type_name("LEVELS")
+        ->check(CLI::Range(0.0, 255.0));
+    verb.add_option("--rms", asked->rms, "how far a cache's sample may be off, in metres (default 1e-6)")
+        ->type_name("M")
+        ->check(CLI::NonNegativeNumber);
+    verb.add_option("--json", asked->json, "write what was found to this file")->type_name("FILE");
+    verb.add_flag("--quiet", asked->quiet, "print nothing but errors");
+    return [asked] { return compare_results(*asked); };
+}
+
 Action declare_mesh(CLI::App& verb) {
     auto wanted = std::make_shared<PatternOptions>();
     verb.add_option("PATTERN", wanted->pattern, "drape list patterns")->required();
@@ -211,6 +232,7 @@ constexpr std::array verbs{
          declare_inspect},
     Verb{"study", "Measure error against run time of every method on a scene", declare_study},
     Verb{"stability", "Map at which springs and steps every method is stable", declare_stability},
+    Verb{"compare", "Hold pictures, caches or folders of them against references", declare_compare},
     Verb{"mesh", "Write a generated cloth mesh", declare_mesh},
     Verb{"list", "Print the names a scene or a command may use", declare_list},
 };

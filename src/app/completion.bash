@@ -5,18 +5,18 @@ _drape() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study stability mesh list --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study stability compare mesh list --help --version" -- "$word")
         return
     fi
     case $previous in
         --out) mapfile -t COMPREPLY < <(compgen -d -- "$word") && return ;;
-        --cache | --replay | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
+        --cache | --replay | --json | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
         --method)
             mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada srkn4 srkn6 rk4 \
                 embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2 projective_dynamics" -- "$word")
             return
             ;;
-        --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget) return ;;
+        --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms) return ;;
     esac
 
     local words
@@ -26,6 +26,7 @@ _drape() {
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
+        compare) words="--share --mean --rms --json --quiet --help" ;;
         mesh) words="one_way alternating crossed equilateral pseudo_random -o --size --divisions --seed --help" ;;
         list) words="scenes fabrics methods obstacles patterns --help" ;;
         *) return ;;
@@ -35,7 +36,7 @@ _drape() {
     else
         # folders to walk through, and scenes; any file where a mesh may stand
         local pattern='*.toml'
-        [[ $verb == inspect ]] && pattern='*'
+        [[ $verb == inspect || $verb == compare ]] && pattern='*'
         mapfile -t COMPREPLY < <({ compgen -d -- "$word"; compgen -f -X "!$pattern" -- "$word"; } | sort -u)
     fi
 }

@@ -52,6 +52,13 @@ struct StabilityRequest {
     bool quiet = false;
 };
 
+struct CompareRequest {
+    std::string result, reference;
+    std::optional<double> share_over, mean_levels, rms;  // none: the gate's own; of pixels, 8-bit levels, [m]
+    std::string json;                                    // a file to write; "" = none
+    bool quiet = false;
+};
+
 struct PatternOptions {
     std::string pattern, file;
     std::array<double, 2> size{1, 1};      // width, depth [m]

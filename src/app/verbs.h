@@ -12,6 +12,7 @@ Exit run_scene(const RunOptions& options);                                      
 Exit inspect(const std::string& path, const std::vector<std::string>& overrides);  // a scene or a mesh
 Exit study_scene(const StudyRequest& request);
 Exit map_stability(const StabilityRequest& request);
+Exit compare_results(const CompareRequest& request);
 Exit write_pattern(const PatternOptions& options);
 Exit list_kinds(const std::string& kind);  // "" = all
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "compare/picture_difference.h"
 #include "integrate/method.h"
 #include "simulate/error_estimate.h"
 #include "study/measure.h"
-#include "study/picture_error.h"
 
 namespace drape {
 
@@ -30,7 +30,7 @@ struct Rung {
     std::vector<double> cpu, wall;     // of each repeat [s]
     std::vector<ErrorNorms> distance;  // from the reference, per frame [m]
     RungErrors errors;
-    std::optional<PictureError> picture;
+    std::optional<PictureDifference> picture;
 
     bool good() const { return left_out.empty() && failed.empty(); }
 };

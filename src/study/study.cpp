@@ -81,7 +81,7 @@ private:
                 cat("ended ", length_text(apart), " from the reference, farther than the cloth is large");
         } else {
             rung.errors = reported_errors(rung.distance, reference.bar);
-            if (draw_) rung.picture = picture_error(draw_(rung.pass.end), picture_);
+            if (draw_) rung.picture = picture_difference(draw_(rung.pass.end), picture_);
         }
     }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "study/draw_state.h"
 #include "study/ladder.h"
 #include "study/mesh_refinement.h"
 #include "study/reference.h"

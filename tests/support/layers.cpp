@@ -26,6 +26,7 @@ constexpr std::array table{
     Layer{"scene", "io simulate integrate contact force obstacle cloth mesh base"},
     Layer{"render", "mesh base"},
     Layer{"report", "simulate base"},
+    Layer{"compare", "io base"},
     Layer{"study",
           "compare report render scene io simulate integrate contact force obstacle cloth mesh base"},
     Layer{"app", "*"},

@@ -1,4 +1,4 @@
-#include "study/picture_error.h"
+#include "compare/picture_difference.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -7,7 +7,7 @@
 
 namespace drape {
 
-PictureError picture_error(const Image& picture, const Image& reference) {
+PictureDifference picture_difference(const Image& picture, const Image& reference) {
     constexpr int visible = 8;  // levels
     DRAPE_ASSERT(picture.rgb.size() == reference.rgb.size());
     double sum = 0, over = 0;
