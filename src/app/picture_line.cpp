@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/picture_maker.h"
 #include "base/timer.h"
 #include "io/png.h"
 #include "io/write_file.h"
@@ -16,13 +15,13 @@ constexpr std::size_t longest_queue = 2;
 
 }  // namespace
 
-PictureLine::PictureLine(const SceneDescription& scene, const Simulation& simulation, std::string folder)
-    : folder_(std::move(folder)), thread_([&] { work(scene, simulation); }) {
+PictureLine::PictureLine(DrawnScene scene, std::string folder, int most_threads)
+    : scene_(std::move(scene)), folder_(std::move(folder)), most_threads_(static_cast<size_t>(most_threads)) {
+    start_thread();
     try {
-        drain();  // until the renderer is made: the scene and the simulation are not the thread's from then
-                  // on
+        drain();
     } catch (...) {
-        thread_.join();
+        threads_.front().join();
         throw;
     }
 }
@@ -33,12 +32,24 @@ PictureLine::~PictureLine() {
         closed_ = true;
     }
     changed_.notify_all();
-    thread_.join();
+    for (std::thread& thread : threads_) thread.join();
+}
+
+void PictureLine::start_thread() {
+    const std::scoped_lock hold(lock_);
+    threads_.emplace_back([this] { work(); });
+    ++busy_;
 }
 
 void PictureLine::add(int frame, FrameInput input) {
+    const auto has_room = [&] { return failure_ || waiting_.size() < longest_queue; };
     std::unique_lock hold(lock_);
-    changed_.wait(hold, [&] { return failure_ || waiting_.size() < longest_queue; });
+    if (!has_room() && threads_.size() < most_threads_) {
+        hold.unlock();
+        start_thread();
+        hold.lock();
+    }
+    changed_.wait(hold, has_room);
     if (failure_) std::rethrow_exception(failure_);
     waiting_.push_back({frame, std::move(input)});
     changed_.notify_all();
@@ -46,42 +57,61 @@ void PictureLine::add(int frame, FrameInput input) {
 
 void PictureLine::drain() {
     std::unique_lock hold(lock_);
-    changed_.wait(hold, [&] { return failure_ || (waiting_.empty() && !busy_); });
+    changed_.wait(hold, [&] { return failure_ || (waiting_.empty() && busy_ == 0); });
     if (failure_) std::rethrow_exception(failure_);
 }
 
-// The next job; false when there will be none.
+// Ends the picture or renderer in hand and waits for the next job; false when there will be none.
 bool PictureLine::take(Job& job) {
     std::unique_lock hold(lock_);
-    busy_ = false;
+    --busy_;
     changed_.notify_all();
-    changed_.wait(hold, [&] { return closed_ || !waiting_.empty(); });
+    changed_.wait(hold, [&] { return closed_ || failure_ || !waiting_.empty(); });
     if (waiting_.empty()) return false;
     job = std::move(waiting_.front());
     waiting_.pop_front();
-    busy_ = true;
+    ++busy_;
     changed_.notify_all();
     return true;
 }
 
-void PictureLine::work(const SceneDescription& scene, const Simulation& simulation) try {
+PictureTimes PictureLine::make_picture(Renderer& renderer, const Job& job) const {
+    PictureTimes times;
     const auto timed = [](double& total, auto run) {
         const ThreadCpuScope timer(total);
         return run();
     };
-    PictureMaker maker = timed(times_.render, [&] { return PictureMaker(scene, simulation); });
-    renderer_ = maker.renderer();
-    Job job;
-    while (take(job)) {
-        const Image image = timed(times_.render, [&] { return maker.draw(job.input); });
-        const auto png = timed(times_.encode, [&] { return encode_png(image); });
-        char name[32];
-        std::snprintf(name, sizeof name, "/frame_%04d.png", job.frame);
-        timed(times_.write, [&] { write_file(folder_ + name, png); });
+    const Image image = timed(times.render, [&] { return renderer.draw(job.input); });
+    const auto png = timed(times.encode, [&] { return encode_png(image); });
+    char name[32];
+    std::snprintf(name, sizeof name, "/frame_%04d.png", job.frame);
+    timed(times.write, [&] { write_file(folder_ + name, png); });
+    return times;
+}
+
+void PictureLine::work() try {
+    const auto count = [&](const PictureTimes& times) {
+        const std::scoped_lock hold(lock_);
+        times_.render += times.render;
+        times_.encode += times.encode;
+        times_.write += times.write;
+    };
+    PictureTimes making;
+    Renderer renderer = [&] {
+        const ThreadCpuScope timer(making.render);
+        return make_renderer(scene_);
+    }();
+    count(making);
+    {
+        const std::scoped_lock hold(lock_);
+        renderer_ = renderer.description();
     }
+    Job job;
+    while (take(job)) count(make_picture(renderer, job));
 } catch (...) {
     const std::scoped_lock hold(lock_);
-    failure_ = std::current_exception();
+    if (!failure_) failure_ = std::current_exception();
+    waiting_.clear();  // other threads end the pictures in hand, and begin none
     changed_.notify_all();
 }
 

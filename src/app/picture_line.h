@@ -1,5 +1,6 @@
-// Pictures drawn, encoded and written on a thread of their own while the simulation goes on. The queue
-// between the two is short: memory stays bounded, and whichever is slower sets the pace.
+// Pictures drawn, encoded and written on threads of their own while the simulation goes on. The queue between
+// the two is short: memory stays bounded, and whichever is slower sets the pace. One thread draws; where the
+// queue fills up, others come to its help, each with a renderer of its own and a whole picture at a time.
 #pragma once
 
 #include <condition_variable>
@@ -8,22 +9,21 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
-#include "render/picture.h"
-#include "scene/description.h"
-#include "simulate/simulation.h"
+#include "app/picture_maker.h"
 
 namespace drape {
 
-// CPU seconds of the drawing thread.
+// CPU seconds of the drawing threads.
 struct PictureTimes {
     double render = 0, encode = 0, write = 0;
 };
 
 class PictureLine {
 public:
-    // Pictures go to `folder`. Throws what making the renderer throws.
-    PictureLine(const SceneDescription& scene, const Simulation& simulation, std::string folder);
+    // Pictures go to `folder`, drawn by `most_threads` at most. Throws what making the renderer throws.
+    PictureLine(DrawnScene scene, std::string folder, int most_threads);
     ~PictureLine();  // what was added is written first
     PictureLine(const PictureLine&) = delete;
     PictureLine& operator=(const PictureLine&) = delete;
@@ -41,17 +41,23 @@ private:
         FrameInput input;
     };
 
-    void work(const SceneDescription& scene, const Simulation& simulation);
+    void start_thread();
+    void work();
     bool take(Job& job);
+    PictureTimes make_picture(Renderer& renderer, const Job& job) const;
 
-    std::string folder_, renderer_;
+    const DrawnScene scene_;
+    const std::string folder_;
+    const size_t most_threads_;
+    std::string renderer_;
     PictureTimes times_;
     std::mutex lock_;
     std::condition_variable changed_;
     std::deque<Job> waiting_;
-    bool busy_ = true, closed_ = false;  // busy from the start: the renderer is being made
+    int busy_ = 0;  // threads making a renderer or a picture
+    bool closed_ = false;
     std::exception_ptr failure_;
-    std::thread thread_;  // makes, uses and ends the renderer, whose context belongs to one thread
+    std::vector<std::thread> threads_;  // each makes, uses and ends its renderer, whose context belongs to it
 };
 
 }  // namespace drape

@@ -113,8 +113,13 @@ Segments springs_of(const Model& model, In x) {
 
 }  // namespace
 
-PictureMaker::PictureMaker(const SceneDescription& scene, const Simulation& simulation)
-    : renderer_(settings_of(scene, simulation), cloths_of(scene, simulation), solids_of(scene, simulation)) {}
+DrawnScene drawn_scene(const SceneDescription& scene, const Simulation& simulation) {
+    return {settings_of(scene, simulation), cloths_of(scene, simulation), solids_of(scene, simulation)};
+}
+
+Renderer make_renderer(const DrawnScene& scene) {
+    return {scene.settings, scene.cloths, scene.solids};
+}
 
 FrameInput frame_input(const std::string& overlay, const Simulation& simulation, const State& state,
                        const Eigen::VectorXf& vertex_error) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "base/image.h"
 #include "render/renderer.h"
 #include "scene/description.h"
 #include "simulate/simulation.h"
@@ -15,15 +15,17 @@ namespace drape {
 FrameInput frame_input(const std::string& overlay, const Simulation& simulation, const State& state,
                        const Eigen::VectorXf& vertex_error = {});
 
-class PictureMaker {
-public:
-    PictureMaker(const SceneDescription& scene, const Simulation& simulation);
-
-    Image draw(const FrameInput& frame) { return renderer_.draw(frame); }
-    std::string renderer() const { return renderer_.description(); }
-
-private:
-    Renderer renderer_;
+// All a renderer of the scene is made of, as far as it stays the same from frame to frame.
+struct DrawnScene {
+    RenderSettings settings;
+    std::vector<DrawnCloth> cloths;
+    std::vector<DrawnSolid> solids;
 };
+
+// The room the camera sees is judged from where the simulation stands, whose meshes must outlive what is
+// returned.
+DrawnScene drawn_scene(const SceneDescription& scene, const Simulation& simulation);
+
+Renderer make_renderer(const DrawnScene& scene);
 
 }  // namespace drape

@@ -109,7 +109,8 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     report_.start = simulation.energies();
 #ifdef DRAPE_WITH_RENDER
     // the room the cloth moves in is judged from its start, wherever a resumed run goes on
-    if (options.pictures) pictures_ = std::make_unique<PictureLine>(scene_, delivery_->simulation(), out_);
+    if (options.pictures)
+        pictures_ = std::make_unique<PictureLine>(drawn_scene(scene_, simulation), out_, threads_of(options));
 #endif
     prepare_folder();
     if (options.resume) resume();
@@ -345,8 +346,8 @@ Exit run_scene(const RunOptions& options) {
 #endif
     // before a folder tells others that the run has begun
     catch_interrupts();
-    // Mesa's rasteriser draws on the thread that asks it to: the passes of the simulation keep the others
-    // busy, and that thread's CPU time is then what the pictures cost
+    // Mesa's rasteriser draws on the thread that asks it to, whose CPU time is then what the pictures cost;
+    // where they lag behind the simulation, several threads draw one each
     setenv("LP_NUM_THREADS", "0", 1);
     return Run(options).go();
 }

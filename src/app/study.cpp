@@ -47,9 +47,9 @@ DrawState drawer([[maybe_unused]] SceneDescription scene, [[maybe_unused]] const
 #ifdef DRAPE_WITH_RENDER
     struct Kept {
         Simulation simulation;
-        PictureMaker pictures;
+        Renderer renderer;
         Kept(const SceneDescription& drawn, const Setup& from)
-            : simulation(from), pictures(drawn, simulation) {}
+            : simulation(from), renderer(make_renderer(drawn_scene(drawn, simulation))) {}
     };
     scene.look.size = {640, 360};
     scene.look.overlay = "none";
@@ -58,7 +58,7 @@ DrawState drawer([[maybe_unused]] SceneDescription scene, [[maybe_unused]] const
     any.step.reset();
     const auto kept = std::make_shared<Kept>(scene, any);
     return [kept, overlay = scene.look.overlay](const State& state) {
-        return kept->pictures.draw(frame_input(overlay, kept->simulation, state));
+        return kept->renderer.draw(frame_input(overlay, kept->simulation, state));
     };
 #else
     return {};

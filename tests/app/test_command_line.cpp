@@ -39,7 +39,7 @@ TEST_CASE("wrong usage is one line and exit 2", "[app]") {
         std::vector<std::string> arguments;
         std::string says;
     } cases[] = {
-        {{}, "render, simulate, inspect, study, stability, mesh, list"},
+        {{}, "render, simulate, inspect, study, stability, compare, mesh, list"},
         {{"rendr", "x.toml"}, "did you mean \"render\"?"},
         {{"simulate"}, "SCENE is required"},
         {{"simulate", "sphere_drop", "--stepp", "1"}, "did you mean \"--step\"?"},
