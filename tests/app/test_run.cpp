@@ -345,7 +345,7 @@ TEST_CASE("render leaves a picture per frame, the cloth where the camera sees it
 
 TEST_CASE("a program without the renderer says so, and still simulates", "[app]") {
     const TemporaryFolder folder;
-    const Ran ran = run_drape({"render", folder.file("drop.toml", small_drop())}, folder.file());
+    const Ran ran = run_drape({"render", folder.file("drop.toml", small_drop())}, folder.path());
     CHECK(ran.exit_code == 2);
     CHECK_THAT(ran.err, Catch::Contains("built without a renderer"));
 }
