@@ -21,6 +21,16 @@ Mat3 rotation_from_degrees(const Vec3& degrees) {
     return turn(2) * turn(1) * turn(0);
 }
 
+Mat3 rotation_from_up(const Vec3& unit) {
+    const double c = unit.y(), p = unit.x(), q = unit.z();  // a = (q, 0, -p)
+    const double aside = p * p + q * q;                     // (1 - c) (1 + c), exact where 1 + c is not
+    if (c < 0 && aside == 0) return Vec3(1, -1, -1).asDiagonal();
+    const double share = c < 0 ? (1 - c) / aside : 1 / (1 + c);
+    Mat3 turn;
+    turn << 1 - share * p * p, p, -share * p * q, -p, c, -q, -share * p * q, q, 1 - share * q * q;
+    return turn;
+}
+
 RigidMotion::RigidMotion(std::vector<Keyframe> keys) : keys_(std::move(keys)) {
     for (size_t i = 1; i < keys_.size(); ++i)
         if (!(keys_[i].t > keys_[i - 1].t))

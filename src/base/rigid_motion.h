@@ -19,6 +19,10 @@ struct Pose {
 // Rotation about x, then y, then z, through fixed axes: R = Rz Ry Rx. Angles in degrees.
 Mat3 rotation_from_degrees(const Vec3& degrees);
 
+// The shortest turn that takes the y axis to a unit vector: with a = y x v and c = y . v it is
+// c I + [a]x + a a^T / (1 + c). Straight down it is the half turn about x.
+Mat3 rotation_from_up(const Vec3& unit);
+
 // A pose and how fast it changes: the velocity of the point at p is linear + angular x (p -
 // pose.translation).
 struct MovingPose {

@@ -1,6 +1,7 @@
 // Plane: distance n . (p - c).
 #include <limits>
 
+#include "base/rigid_motion.h"
 #include "obstacle/kinds.h"
 
 namespace drape {
@@ -17,7 +18,7 @@ public:
     double reach() const override { return std::numeric_limits<double>::infinity(); }
 
     Mesh surface(double extent) const override {
-        const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal_).toRotationMatrix();
+        const Mat3 turn = rotation_from_up(normal_);
         Points corners(3, 4);
         corners << -1, -1, 1, 1, 0, 0, 0, 0, -1, 1, 1, -1;
         corners = ((turn * corners) * (extent / 2)).colwise() + centre_;

@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "base/rigid_motion.h"
+
 namespace drape {
 
 Mesh merge_close(const Points& points, const std::vector<Eigen::Vector3i>& faces) {
@@ -31,7 +33,7 @@ Mesh merge_close(const Points& points, const std::vector<Eigen::Vector3i>& faces
 
 Mesh revolve(const std::vector<ProfilePoint>& profile, bool closed, const Vec3& centre, const Vec3& axis,
              int segments) {
-    const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), axis).toRotationMatrix();
+    const Mat3 turn = rotation_from_up(axis);
     const int rings = static_cast<int>(profile.size());
     Points points(3, rings * segments);
     for (int s = 0; s < segments; ++s) {

@@ -84,3 +84,16 @@ TEST_CASE("no keyframes is no motion, and times that do not increase are refused
     CHECK_THROWS_AS(RigidMotion({one, same}), Error);
     CHECK_THROWS_AS(RigidMotion({one, never}), Error);
 }
+
+TEST_CASE("the turn from up is a shortest rotation that takes y to the direction", "[base]") {
+    for (const Vec3& way : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(0.3, -0.7, 0.2),
+                            Vec3(1e-5, -1, 0), Vec3(-0.4, 0.1, -2)}) {
+        const Vec3 unit = way.normalized();
+        const Mat3 turn = rotation_from_up(unit);
+        CHECK((turn * Vec3::UnitY() - unit).norm() < 1e-15);
+        CHECK((turn.transpose() * turn - Mat3::Identity()).norm() < 1e-14);
+        CHECK(turn.determinant() == Approx(1));
+        // the trace of a turn by an angle is 1 + 2 cos; no turn that gets there has a smaller angle
+        CHECK(turn.trace() == Approx(1 + 2 * unit.y()).margin(1e-14));
+    }
+}

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "base/rigid_motion.h"
 #include "support/touching.h"
 
 using namespace drape;
@@ -102,7 +103,7 @@ struct Slope {
         plane.normal = normal;
         const Obstacle obstacle = obstacle_of("plane", plane, friction);
         Setup setup = setup_of(square(4, "alternating", 0.3), bare_springs(200), {obstacle}, 10, 20);
-        const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal).toRotationMatrix();
+        const Mat3 turn = rotation_from_up(normal);
         setup.method = method;
         setup.start.x = turn * setup.start.x;  // on the surface: it starts where the barrier carries it
         return setup;

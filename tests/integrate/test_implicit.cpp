@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/rigid_motion.h"
 #include "support/motion.h"
 #include "support/touching.h"
 
@@ -170,8 +171,7 @@ struct Slid {
         plane.normal = normal;
         Setup setup = setup_of(square(4, "alternating", 0.3), bare_springs(200),
                                {obstacle_of("plane", plane, friction)}, 30, 60);
-        setup.start.x =
-            Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal).toRotationMatrix() * setup.start.x;
+        setup.start.x = rotation_from_up(normal) * setup.start.x;
         setup.method = method;
         setup.step = 1.0 / 120;
         Simulation simulation(std::move(setup));

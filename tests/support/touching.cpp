@@ -1,5 +1,7 @@
 #include "support/touching.h"
 
+#include "base/rigid_motion.h"
+
 namespace drape::test {
 
 Fabric Touching::fabric() {
@@ -17,8 +19,7 @@ Touching::Touching(const Obstacle& obstacle, unsigned seed, double speed)
     const Solid& solid = *obstacle.solid;
     const double far = std::isfinite(solid.reach()) ? 3 * solid.reach() : 1;
     const Vec3 spot = on_surface(solid, solid.centre() + far * random_direction(random));
-    const Mat3 turn =
-        Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), solid.sample(spot).normal).toRotationMatrix();
+    const Mat3 turn = rotation_from_up(solid.sample(spot).normal);
     const double d = contact.barrier().thickness;
     x += random_points(x.cols(), 0.2 * d, seed + 1);
     x.row(1).array() += contact.offset() + 0.5 * d;
