@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "render/lettering.h"
+#include "picture/lettering.h"
 
 namespace drape {
 

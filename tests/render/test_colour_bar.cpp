@@ -4,7 +4,6 @@
 
 #include "render/colour_map.h"
 #include "render/drawables.h"
-#include "render/lettering.h"
 
 using namespace drape;
 
@@ -71,23 +70,4 @@ TEST_CASE("error colours grow darker all the way, and clamp at the ends", "[rend
     for (float t = -1; t < 0.95f; t += 0.1f) CHECK(light(t) > light(t + 0.1f));
     CHECK(rising_colour(-7) == rising_colour(-1));
     CHECK(rising_colour(7) == rising_colour(1));
-}
-
-TEST_CASE("every character the pictures need leaves ink, and only where it stands", "[render]") {
-    for (const char character : std::string_view("0123456789+-.%strainerrorm")) {
-        CAPTURE(character);
-        Image image = grey(40, 40);
-        draw_text(image, {&character, 1}, 10, 30, {16, {0, 0, 0}, 1});
-        int ink = 0;
-        for (int y = 0; y < 40; ++y)
-            for (int x = 0; x < 40; ++x)
-                if (image.pixel(x, y)[0] < 120) {
-                    ++ink;
-                    CHECK(x >= 8);
-                    CHECK(static_cast<float>(x) <= 12 + text_width({&character, 1}, 16));
-                    CHECK(y >= 11);
-                    CHECK(y <= 32);
-                }
-        CHECK(ink > 1);
-    }
 }
