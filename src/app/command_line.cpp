@@ -199,6 +199,50 @@ Action declare_compare(CLI::App& verb) {
     return [asked] { return compare_results(*asked); };
 }
 
+Action declare_video(CLI::App& verb) {
+    auto asked = std::make_shared<VideoRequest>();
+    verb.add_option("SEQUENCE", asked->sequences,
+                    "a folder of numbered PNG pictures; several are shown one after the other")
+        ->required();
+    verb.add_option("-o,--out", asked->out, "the file to write: .mp4 .webm .webp .gif")
+        ->type_name("FILE")
+        ->required();
+    verb.add_option_function<std::string>(
+            "--fps",
+            [asked](const std::string& text) {
+                asked->fps = positive_number(text, "--fps", "frames a second over 0");
+            },
+            "frames a second at normal speed (default: as report.json says, else 30)")
+        ->type_name("N");
+    verb.add_option_function<std::string>(
+            "--speed",
+            [asked](const std::string& text) {
+                asked->speed = positive_number(text, "--speed", "how many times as fast, over 0");
+            },
+            "so many times as fast (0.25: slow motion)")
+        ->type_name("X");
+    verb.add_flag("--boomerang", asked->boomerang, "there and back");
+    verb.add_option("--loop", asked->loops, "write it so many times")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000));
+    verb.add_option("--caption", asked->captions,
+                    "written into the frames; again for each sequence (default: what report.json says)")
+        ->type_name("TEXT")
+        ->allow_extra_args(false);
+    verb.add_flag("!--no-caption", asked->caption, "leave the frames without a caption");
+    verb.add_flag("--side-by-side", asked->side_by_side, "a pane for each sequence, playing together");
+    verb.add_option("--label", asked->labels,
+                    "of a pane; again for each sequence (default: the folder's name)")
+        ->type_name("TEXT")
+        ->allow_extra_args(false);
+    verb.add_option("--columns", asked->columns, "panes in a row (default: all)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100));
+    verb.add_flag("--difference", asked->difference, "one more pane: what two sequences differ in, times 16");
+    verb.add_flag("--quiet", asked->quiet, "print nothing but errors");
+    return [asked] { return make_video(*asked); };
+}
+
 Action declare_mesh(CLI::App& verb) {
     auto wanted = std::make_shared<PatternOptions>();
     verb.add_option("PATTERN", wanted->pattern, "drape list patterns")->required();
@@ -233,6 +277,7 @@ constexpr std::array verbs{
     Verb{"study", "Measure error against run time of every method on a scene", declare_study},
     Verb{"stability", "Map at which springs and steps every method is stable", declare_stability},
     Verb{"compare", "Hold pictures, caches or folders of them against references", declare_compare},
+    Verb{"video", "Make a video or a looping picture of PNG sequences", declare_video},
     Verb{"mesh", "Write a generated cloth mesh", declare_mesh},
     Verb{"list", "Print the names a scene or a command may use", declare_list},
 };

@@ -5,18 +5,23 @@ _drape() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study stability compare mesh list --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study stability compare video mesh list --help --version" -- "$word")
         return
     fi
     case $previous in
-        --out) mapfile -t COMPREPLY < <(compgen -d -- "$word") && return ;;
-        --cache | --replay | --json | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
+        --out)
+            local kind=-d
+            [[ $verb == video ]] && kind=-f
+            mapfile -t COMPREPLY < <(compgen "$kind" -- "$word")
+            return
+            ;;
+        --cache | --replay | --json | --video | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
         --method)
             mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada srkn4 srkn6 rk4 \
                 embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2 projective_dynamics" -- "$word")
             return
             ;;
-        --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms) return ;;
+        --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms | --fps | --speed | --loop | --caption | --label | --columns) return ;;
     esac
 
     local words
@@ -27,6 +32,7 @@ _drape() {
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
         compare) words="--share --mean --rms --json --quiet --help" ;;
+        video) words="--out --fps --speed --boomerang --loop --caption --no-caption --side-by-side --label --columns --difference --quiet --help" ;;
         mesh) words="one_way alternating crossed equilateral pseudo_random -o --size --divisions --seed --help" ;;
         list) words="scenes fabrics methods obstacles patterns --help" ;;
         *) return ;;
@@ -37,6 +43,7 @@ _drape() {
         # folders to walk through, and scenes; any file where a mesh may stand
         local pattern='*.toml'
         [[ $verb == inspect || $verb == compare ]] && pattern='*'
+        [[ $verb == video ]] && pattern=
         mapfile -t COMPREPLY < <({ compgen -d -- "$word"; compgen -f -X "!$pattern" -- "$word"; } | sort -u)
     fi
 }

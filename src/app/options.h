@@ -59,6 +59,20 @@ struct CompareRequest {
     bool quiet = false;
 };
 
+struct VideoRequest {
+    std::vector<std::string> sequences;  // folders
+    std::string out;
+    std::optional<double> fps;  // none: as the sequences' reports say, else 30 [1/s]
+    double speed = 1;
+    bool boomerang = false;
+    int loops = 1;
+    bool caption = true;
+    std::vector<std::string> captions, labels;  // none, one for all, or one of each sequence
+    bool side_by_side = false, difference = false;
+    int columns = 0;  // of panes; 0 = all in one row
+    bool quiet = false;
+};
+
 struct PatternOptions {
     std::string pattern, file;
     std::array<double, 2> size{1, 1};      // width, depth [m]

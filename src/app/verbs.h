@@ -13,6 +13,7 @@ Exit inspect(const std::string& path, const std::vector<std::string>& overrides)
 Exit study_scene(const StudyRequest& request);
 Exit map_stability(const StabilityRequest& request);
 Exit compare_results(const CompareRequest& request);
+Exit make_video(const VideoRequest& request);
 Exit write_pattern(const PatternOptions& options);
 Exit list_kinds(const std::string& kind);  // "" = all
 

@@ -17,6 +17,8 @@ public:
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
+    // Where another program may write the file in place of write().
+    const std::string& temporary() const { return temporary_; }
     void write(std::span<const std::uint8_t> bytes);
     // Overwrites what was written at `offset` from the start; the next write() appends as before.
     void patch(std::uint64_t offset, std::span<const std::uint8_t> bytes);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <new>
@@ -84,6 +85,23 @@ Image read_png(const std::string& path) {
     Image image(width, height);
     std::copy_n(pixels.get(), image.rgb.size(), image.rgb.begin());
     return image;
+}
+
+std::array<int, 2> read_png_size(const std::string& path) {
+    check_readable(path, largest_picture);
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, 24> header{};
+    file.read(header.data(), header.size());
+    constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8), first_chunk("IHDR");
+    const std::string_view bytes(header.data(), static_cast<size_t>(file.gcount()));
+    if (bytes.size() < header.size() || !bytes.starts_with(signature) || bytes.substr(12, 4) != first_chunk)
+        throw Error(cat(path, ": is not a PNG picture: no header of one"));
+    const auto number = [&](size_t at) {
+        unsigned value = 0;
+        for (const char byte : bytes.substr(at, 4)) value = value << 8 | static_cast<unsigned char>(byte);
+        return static_cast<int>(std::min(value, unsigned{std::numeric_limits<int>::max()}));
+    };
+    return {number(16), number(20)};
 }
 
 }  // namespace drape

@@ -1,6 +1,7 @@
 // PNG in and out: stb_image and stb_image_write, with libdeflate as compressor.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,5 +15,8 @@ std::vector<std::uint8_t> encode_png(const Image& image);
 
 // Throws Error naming the file if it is missing or not a picture.
 Image read_png(const std::string& path);
+
+// Width and height, from the file's header alone; throws as read_png does.
+std::array<int, 2> read_png_size(const std::string& path);
 
 }  // namespace drape

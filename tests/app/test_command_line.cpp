@@ -39,7 +39,7 @@ TEST_CASE("wrong usage is one line and exit 2", "[app]") {
         std::vector<std::string> arguments;
         std::string says;
     } cases[] = {
-        {{}, "render, simulate, inspect, study, stability, compare, mesh, list"},
+        {{}, "render, simulate, inspect, study, stability, compare, video, mesh, list"},
         {{"rendr", "x.toml"}, "did you mean \"render\"?"},
         {{"simulate"}, "SCENE is required"},
         {{"simulate", "sphere_drop", "--stepp", "1"}, "did you mean \"--step\"?"},
@@ -52,6 +52,14 @@ TEST_CASE("wrong usage is one line and exit 2", "[app]") {
         {{"inspect", "nothing.obj"}, "nothing.obj"},
         {{"mesh", "one_wya", "-o", "x.obj"}, "did you mean \"one_way\"?"},
         {{"mesh", "one_way", "-o", "x.stl"}, ".obj, .ply"},
+        {{"video", "."}, "--out is required"},
+        {{"video", ".", "-o", "x.mp4"}, ".: no numbered PNG pictures"},
+        {{"video", "nowhere", "-o", "x.mp4"}, "nowhere: no such folder"},
+        {{"video", ".", "-o", "x.avi"}, "(known: .mp4, .webm, .webp, .gif)"},
+        {{"video", ".", "-o", "x.mp4", "--speed", "0"}, "--speed 0: expected"},
+        {{"video", ".", "-o", "x.mp4", "--loop", "0"}, "--loop"},
+        {{"video", ".", "-o", "x.mp4", "--difference"}, "--difference: only with --side-by-side"},
+        {{"video", ".", "-o", "x.mp4", "--label", "a", "--label", "b"}, "--label: given 2 times for 1"},
         {{"list", "methds"}, "did you mean \"methods\"?"},
     };
     for (const auto& c : cases) {
@@ -106,7 +114,8 @@ TEST_CASE("a broken mesh is one line and exit 2", "[app]") {
 TEST_CASE("help and version are answered, exit 0", "[app]") {
     const Ran help = run_drape({"--help"});
     CHECK(help.exit_code == 0);
-    for (const std::string verb : {"render", "simulate", "inspect", "study", "stability", "mesh", "list"})
+    for (const std::string verb :
+         {"render", "simulate", "inspect", "study", "stability", "video", "mesh", "list"})
         CHECK_THAT(help.out, Catch::Contains(verb));
     CHECK(run_drape({"render", "--help"}).exit_code == 0);
     CHECK_THAT(run_drape({"--version"}).out, Catch::StartsWith("drape "));

@@ -31,6 +31,7 @@ TEST_CASE("a picture comes back from its PNG bit by bit, whatever its size", "[i
         CHECK(back.width == width);
         CHECK(back.height == height);
         CHECK(back.rgb == image.rgb);
+        CHECK(read_png_size(folder.file("picture.png")) == std::array{width, height});
     }
 }
 
@@ -51,6 +52,9 @@ TEST_CASE("what is not a PNG is refused by name", "[io]") {
     const std::string text = folder.file("text.png", "not a picture at all");
     CHECK(error_of([&] { read_png(text); }).starts_with(text + ": is not a PNG picture"));
     CHECK(error_of([&] { read_png(folder.file("none.png")); }).find("no such file") != std::string::npos);
+    CHECK(error_of([&] { read_png_size(text); }).starts_with(text + ": is not a PNG picture"));
+    const std::string signature = folder.file("signature.png", "\x89PNG\r\n\x1a\n");
+    CHECK(error_of([&] { read_png_size(signature); }).starts_with(signature + ": is not a PNG picture"));
     const auto png = encode_png(noisy(50, 50));
     const std::string cut = folder.file("cut.png", std::string(png.begin(), png.begin() + 3000));
     CHECK(error_of([&] { read_png(cut); }).starts_with(cut));

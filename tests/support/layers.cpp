@@ -28,6 +28,7 @@ constexpr std::array table{
     Layer{"render", "picture mesh base"},
     Layer{"report", "simulate base"},
     Layer{"compare", "io base"},
+    Layer{"video", "picture io base"},
     Layer{"study",
           "compare report render scene io simulate integrate contact force obstacle cloth mesh base"},
     Layer{"app", "*"},

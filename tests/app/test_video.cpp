@@ -1,0 +1,139 @@
+// The verb `video` as its users run it. What needs ffmpeg is skipped, with a warning, where it is not
+// installed.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include <catch2/catch.hpp>
+
+#include "support/ffmpeg.h"
+#include "support/frames.h"
+#include "support/run_program.h"
+#include "support/temporary_folder.h"
+
+using namespace drape;
+using namespace drape::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+bool skipped() {
+    static const bool installed = ffmpeg_is_installed();
+    if (!installed) WARN("skipped: ffmpeg and ffprobe are not installed");
+    return !installed;
+}
+
+// Writes a report of a run at 12 frames a second into `folder`.
+void write_report(const std::string& folder) {
+    write_file(folder + "/report.json",
+               std::string("{\"scene\": \"disc\", \"method\": {\"name\": \"verlet\", \"step_s\": 1e-3}, "
+                           "\"time\": {\"total_s\": 1}, "
+                           "\"frames\": [{\"index\": 12, \"time_s\": 1.0, \"error_m\": null}]}"));
+}
+
+double seconds_of(const std::string& video) {
+    const std::string says = probed(video);
+    return std::stod(value_of(says.substr(says.find("[FORMAT]")), "duration"));
+}
+
+}  // namespace
+
+TEST_CASE("a video plays at the rate its scene has, there and back, twice, at three times the speed",
+          "[app]") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    const std::string frames = write_frames(folder.file("a"), 12), out = folder.file("a.mp4");
+    write_report(frames);
+    const Ran ran = run_drape({"video", frames, "--out", out});
+    CAPTURE(ran.err);
+    REQUIRE(ran.exit_code == 0);
+    CHECK_THAT(ran.out, Contains("12 frames of 64x36, 12 a second, 1 s"));
+    CHECK(seconds_of(out) == Approx(1));
+    REQUIRE(run_drape({"video", frames, "-o", out, "--boomerang", "--loop", "2", "--speed", "3", "--quiet"})
+                .exit_code == 0);
+    CHECK(value_of(probed(out), "nb_read_frames") == "44");
+    CHECK(seconds_of(out) == Approx(44.0 / 36).margin(0.001));
+    REQUIRE(run_drape({"video", frames, frames, "-o", out, "--fps", "24"}).exit_code == 0);
+    CHECK(seconds_of(out) == Approx(1));
+}
+
+TEST_CASE("a video has its report's caption burnt in, or another, or none", "[app]") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    const std::string frames = write_frames(folder.file("a"), 2, 320, 180), out = folder.file("a.mp4");
+    write_report(frames);
+    const auto corner = [&](const std::vector<std::string>& flags) {
+        std::vector<std::string> words{"video", frames, "-o", out, "--quiet"};
+        words.insert(words.end(), flags.begin(), flags.end());
+        const Ran ran = run_drape(words);
+        CHECK(ran.out + ran.err == "");
+        REQUIRE(ran.exit_code == 0);
+        const Image frame = decoded_frame(out, 0, 320, 180);
+        double sum = 0;
+        for (int y = 145; y < 175; ++y)
+            for (int x = 0; x < 160; ++x) sum += frame.pixel(x, y)[0];
+        return sum / (30 * 160);
+    };
+    const double plain = corner({"--no-caption"}), reported = corner({}), other = corner({"--caption", "x"});
+    CHECK(plain == Approx(161).margin(3));  // the ground as it is
+    CHECK(reported < plain - 20);
+    CHECK(other < plain - 1);
+    CHECK(other > reported + 10);
+}
+
+TEST_CASE("panes stand side by side with their difference", "[app]") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    const std::string frames = write_frames(folder.file("a"), 2), out = folder.file("a.gif");
+    REQUIRE(run_drape({"video", "--side-by-side", frames, frames, "--difference", "-o", out}).exit_code == 0);
+    CHECK(value_of(probed(out), "width") == std::to_string(3 * 64 + 2 * 2));
+    CHECK(value_of(probed(out), "height") == "36");
+}
+
+TEST_CASE("without ffmpeg a video is one line and exit 3", "[app]") {
+    const TemporaryFolder folder;
+    const std::string frames = write_frames(folder.file("a"), 2);
+    const Environment path("PATH", "");
+    const Ran ran = run_drape({"video", frames, "-o", folder.file("a.mp4")});
+    CHECK(ran.exit_code == 3);
+    CHECK(ran.err == "drape: " + folder.file("a.mp4") + ": cannot write: ffmpeg is not installed\n");
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("sequences of other rates play together only at a rate that is given", "[app]") {
+    const TemporaryFolder folder;
+    const std::string a = write_frames(folder.file("a"), 2), b = write_frames(folder.file("b"), 2);
+    write_report(a);
+    write_file(b + "/report.json",
+               std::string("{\"scene\": \"b\", \"method\": {\"name\": \"verlet\", \"step_s\": 1}, "
+                           "\"time\": {\"total_s\": 1}, "
+                           "\"frames\": [{\"index\": 1, \"time_s\": 0.04, \"error_m\": 1}]}"));
+    const Ran ran = run_drape({"video", a, b, "-o", folder.file("a.mp4")});
+    CHECK(ran.exit_code == 2);
+    CHECK(ran.error_lines() == 1);
+    CHECK_THAT(ran.err, Contains("b: is of 25 frames a second") && Contains("a of 12 (--fps"));
+    CHECK(folder.files() == 2);
+}
+
+TEST_CASE("a video that is interrupted leaves nothing", "[app]") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    const std::string frames = write_frames(folder.file("a"), 2), out = folder.file("a.mp4");
+    const pid_t child = fork();
+    if (child == 0) {
+        execl(DRAPE_PROGRAM, "drape", "video", frames.c_str(), "-o", out.c_str(), "--loop", "1000", "--quiet",
+              static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    while (folder.files() == 1 && waitpid(child, nullptr, WNOHANG) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 130);
+    CHECK(folder.files() == 1);
+}
