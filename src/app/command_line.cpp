@@ -96,6 +96,8 @@ Action declare_render(CLI::App& verb) {
             },
             "size of the pictures in pixels")
         ->type_name("WxH");
+    verb.add_option("--video", run->video, "make a video of the frames as well: .mp4 .webm .webp .gif")
+        ->type_name("FILE");
     return [run] { return run_scene(*run); };
 }
 

@@ -26,7 +26,7 @@ _drape() {
 
     local words
     case $verb in
-        render) words="$run --frames --size" ;;
+        render) words="$run --frames --size --video" ;;
         simulate) words="$run --cache" ;;
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;

@@ -26,6 +26,7 @@ struct RunOptions {
     bool pictures = true;                      // render; simulate makes none
     std::optional<std::array<int, 2>> frames;  // first and last to draw, both included
     std::optional<std::array<int, 2>> size;    // of the pictures
+    std::string video;                         // render: "" = none
     std::string cache;                         // simulate: "" = none
 };
 

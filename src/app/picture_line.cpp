@@ -15,8 +15,17 @@ constexpr std::size_t longest_queue = 2;
 
 }  // namespace
 
-PictureLine::PictureLine(DrawnScene scene, std::string folder, int most_threads)
-    : scene_(std::move(scene)), folder_(std::move(folder)), most_threads_(static_cast<size_t>(most_threads)) {
+std::string frame_name(int frame) {
+    char name[32];
+    std::snprintf(name, sizeof name, "/frame_%04d.png", frame);
+    return name;
+}
+
+PictureLine::PictureLine(DrawnScene scene, std::string folder, int most_threads, TakeInOrder take_in_order)
+    : scene_(std::move(scene)),
+      folder_(std::move(folder)),
+      most_threads_(static_cast<size_t>(most_threads)),
+      take_in_order_(std::move(take_in_order)) {
     start_thread();
     try {
         drain();
@@ -51,6 +60,7 @@ void PictureLine::add(int frame, FrameInput input) {
     }
     changed_.wait(hold, has_room);
     if (failure_) std::rethrow_exception(failure_);
+    if (turn_ == 0) turn_ = frame;
     waiting_.push_back({frame, std::move(input)});
     changed_.notify_all();
 }
@@ -75,7 +85,7 @@ bool PictureLine::take(Job& job) {
     return true;
 }
 
-PictureTimes PictureLine::make_picture(Renderer& renderer, const Job& job) const {
+PictureTimes PictureLine::make_picture(Renderer& renderer, const Job& job) {
     PictureTimes times;
     const auto timed = [](double& total, auto run) {
         const ThreadCpuScope timer(total);
@@ -83,10 +93,21 @@ PictureTimes PictureLine::make_picture(Renderer& renderer, const Job& job) const
     };
     const Image image = timed(times.render, [&] { return renderer.draw(job.input); });
     const auto png = timed(times.encode, [&] { return encode_png(image); });
-    char name[32];
-    std::snprintf(name, sizeof name, "/frame_%04d.png", job.frame);
-    timed(times.write, [&] { write_file(folder_ + name, png); });
+    timed(times.write, [&] { write_file(folder_ + frame_name(job.frame), png); });
+    if (take_in_order_) hand_over(job.frame, image);
     return times;
+}
+
+// Waits for the frames before; a thread that draws one of them waits for none after it.
+void PictureLine::hand_over(int frame, const Image& picture) {
+    std::unique_lock hold(lock_);
+    changed_.wait(hold, [&] { return failure_ || turn_ == frame; });
+    if (failure_) return;
+    hold.unlock();
+    take_in_order_(frame, picture);
+    hold.lock();
+    turn_ = frame + 1;
+    changed_.notify_all();
 }
 
 void PictureLine::work() try {

@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -20,15 +21,22 @@ struct PictureTimes {
     double render = 0, encode = 0, write = 0;
 };
 
+// "/frame_0012.png"
+std::string frame_name(int frame);
+
 class PictureLine {
 public:
-    // Pictures go to `folder`, drawn by `most_threads` at most. Throws what making the renderer throws.
-    PictureLine(DrawnScene scene, std::string folder, int most_threads);
+    using TakeInOrder = std::function<void(int frame, const Image& picture)>;
+
+    // Pictures go to `folder`, drawn by `most_threads` at most, and one at a time, in the order of their
+    // frames, to `take_in_order` if there is one. Throws what making the renderer throws.
+    PictureLine(DrawnScene scene, std::string folder, int most_threads, TakeInOrder take_in_order = {});
     ~PictureLine();  // what was added is written first
     PictureLine(const PictureLine&) = delete;
     PictureLine& operator=(const PictureLine&) = delete;
 
-    // Waits while the queue is full. Throws the error that a picture before this one met.
+    // Waits while the queue is full. Throws the error that a picture before this one met. Frames follow each
+    // other without a gap.
     void add(int frame, FrameInput input);
     // Waits until all is written, or throws the error met; from then on times() is up to date.
     void drain();
@@ -44,11 +52,14 @@ private:
     void start_thread();
     void work();
     bool take(Job& job);
-    PictureTimes make_picture(Renderer& renderer, const Job& job) const;
+    PictureTimes make_picture(Renderer& renderer, const Job& job);
+    void hand_over(int frame, const Image& picture);
 
     const DrawnScene scene_;
     const std::string folder_;
     const size_t most_threads_;
+    const TakeInOrder take_in_order_;
+    int turn_ = 0;  // the frame that is to be taken next; 0: none was added
     std::string renderer_;
     PictureTimes times_;
     std::mutex lock_;

@@ -20,6 +20,7 @@
 #include "scene/scene_text.h"
 #include "simulate/checkpoint.h"
 #ifdef DRAPE_WITH_RENDER
+#include "app/frame_video.h"
 #include "app/picture_line.h"
 #include "app/picture_maker.h"
 #endif
@@ -60,6 +61,7 @@ private:
     bool keep_going(double& unsaved);
     void demand_what_was_asked() const;
     void prepare_folder();
+    void prepare_pictures();
     void prepare_cache();
     void resume();
     void add_output_stages();
@@ -78,7 +80,8 @@ private:
     std::vector<std::string> replayed_hashes_;  // of every frame
     std::vector<std::unique_ptr<CacheWriter>> caches_;
 #ifdef DRAPE_WITH_RENDER
-    std::unique_ptr<PictureLine> pictures_;  // ends before what it draws
+    std::unique_ptr<FrameVideo> video_;
+    std::unique_ptr<PictureLine> pictures_;  // ends before what it draws, and what it hands on to
 #endif
 };
 
@@ -107,11 +110,7 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
                                     simulation.lifted(), " m"));
     report_.plan = simulation.plan();
     report_.start = simulation.energies();
-#ifdef DRAPE_WITH_RENDER
-    // the room the cloth moves in is judged from its start, wherever a resumed run goes on
-    if (options.pictures)
-        pictures_ = std::make_unique<PictureLine>(drawn_scene(scene_, simulation), out_, threads_of(options));
-#endif
+    if (options.pictures) prepare_pictures();
     prepare_folder();
     if (options.resume) resume();
     prepare_cache();
@@ -159,6 +158,10 @@ void Run::add_output_stages() {
         report_.plan.use("pictures", cat("frames ", drawn_[0], " to ", drawn_[1]));
     else
         report_.plan.leave_out("pictures", "simulate draws none: no GL context is made");
+    if (options_.video.empty())
+        report_.plan.leave_out("video", "no --video asked");
+    else
+        report_.plan.use("video", options_.video);
     if (options_.cache.empty())
         report_.plan.leave_out("cache", "no --cache asked");
     else
@@ -174,6 +177,22 @@ void Run::prepare_folder() {
         const std::string name = entry.path().filename().string();
         if (name.starts_with("frame_") && name.ends_with(".png")) fs::remove(entry.path(), trouble);
     }
+}
+
+void Run::prepare_pictures() {
+#ifdef DRAPE_WITH_RENDER
+    PictureLine::TakeInOrder take_in_order;
+    if (!options_.video.empty()) {
+        if (const fs::path path(options_.video); path.has_parent_path())
+            make_folder(path.parent_path().string());
+        const Canvas canvas{scene_.look.size[0], scene_.look.size[1], scene_.frame_rate};
+        video_ = std::make_unique<FrameVideo>(options_.video, out_, drawn_[0], drawn_[1], canvas);
+        take_in_order = [this](int frame, const Image& picture) { video_->add(frame, picture); };
+    }
+    // the room the cloth moves in is judged from its start, wherever a resumed run goes on
+    pictures_ = std::make_unique<PictureLine>(drawn_scene(scene_, delivery_->simulation()), out_,
+                                              threads_of(options_), take_in_order);
+#endif
 }
 
 void Run::prepare_cache() {
@@ -235,6 +254,7 @@ void Run::finish(bool complete) {
         report_.times.write += pictures_->times().write;
         report_.renderer = pictures_->renderer();
     }
+    if (video_ && complete) video_->finish();
 #endif
     for (const auto& cache : caches_) cache->finish();
     add_output_stages();
@@ -263,6 +283,7 @@ void Run::finish(bool complete) {
         for (const std::string& note : report_.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
         std::fputs(report_summary(report_).c_str(), stdout);
         std::printf("  %s\n", out_.c_str());
+        if (complete && !options_.video.empty()) std::printf("  %s\n", options_.video.c_str());
     }
 }
 

@@ -14,10 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double least_rate = 0.01, most_rate = 1e5;  // [1/s]
+
 // "drop" of "renders/drop/"
 std::string name_of(const std::string& folder) {
-    const fs::path path = fs::weakly_canonical(folder);
-    return path.filename().string();
+    const fs::path path = fs::absolute(folder).lexically_normal();
+    return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
 // The words of a flag that is given not at all, once for all sequences, or once for each.
@@ -80,6 +82,9 @@ Exit make_video(const VideoRequest& request) {
     double rate = 30;
     std::vector<Take> takes = takes_of(request, rate);
     rate = request.fps.value_or(rate) * request.speed;
+    if (!(rate >= least_rate && rate <= most_rate))
+        throw Error(cat("plays ", rate, " frames a second (--fps times --speed: ", least_rate, " to ",
+                        most_rate, ")"));
     const auto film = request.side_by_side
                           ? side_by_side(std::move(takes), {request.columns, request.difference})
                           : one_after_the_other(std::move(takes));

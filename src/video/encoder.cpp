@@ -59,7 +59,10 @@ void Encoder::end_program() {
     if (const std::string reason = program_->finish(); !reason.empty()) fail(reason);
 }
 
-void Encoder::fail(const std::string& reason) const {
+void Encoder::fail(std::string reason) const {
+    // ffmpeg knows the file by another name
+    if (const std::string name = "file:" + file_.temporary(); reason.find(name) != std::string::npos)
+        reason.replace(reason.find(name), name.size(), path_);
     throw Error(cat(path_, ": cannot write: ", reason), Exit::cannot_write);
 }
 

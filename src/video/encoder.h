@@ -33,7 +33,7 @@ public:
 private:
     void start(const std::vector<std::string>& words);
     void end_program();
-    [[noreturn]] void fail(const std::string& reason) const;
+    [[noreturn]] void fail(std::string reason) const;
 
     std::string path_;
     const VideoFormat& format_;

@@ -34,13 +34,15 @@ void add_words(std::vector<std::string>& words, std::string_view text) {
     for (std::string word; stream >> word;) words.push_back(word);
 }
 
+// Without -xerror a full disk leaves a cut video and exit code 0.
 std::vector<std::string> input_words(const Canvas& canvas) {
     char rate[32];
     std::snprintf(rate, sizeof rate, "%.9g", canvas.rate);
     std::vector<std::string> words{"ffmpeg"};
-    add_words(words,
-              cat("-nostdin -hide_banner -loglevel error -y -f rawvideo -pixel_format rgb24 -video_size ",
-                  canvas.width, "x", canvas.height, " -framerate ", rate, " -i pipe:0"));
+    add_words(
+        words,
+        cat("-nostdin -hide_banner -loglevel error -xerror -y -f rawvideo -pixel_format rgb24 -video_size ",
+            canvas.width, "x", canvas.height, " -framerate ", rate, " -i pipe:0"));
     return words;
 }
 

@@ -72,8 +72,9 @@ void demand_no_gap(const std::string& folder, const Frames& frames) {
 }  // namespace
 
 Sequence find_sequence(const std::string& folder) {
-    if (!fs::exists(folder)) throw Error(cat(folder, ": no such folder"));
-    if (!fs::is_directory(folder)) throw Error(cat(folder, ": is not a folder of PNG pictures"));
+    std::error_code none;
+    if (!fs::exists(folder, none)) throw Error(cat(folder, ": no such folder"));
+    if (!fs::is_directory(folder, none)) throw Error(cat(folder, ": is not a folder of PNG pictures"));
     const Frames frames = frames_of(folder);
     demand_no_gap(folder, frames);
     Sequence sequence{.folder = folder, .files = {}, .first = frames.begin()->first};

@@ -103,6 +103,17 @@ TEST_CASE("without ffmpeg a video is one line and exit 3", "[app]") {
     CHECK(folder.files() == 1);
 }
 
+TEST_CASE("a rate that no player keeps is refused", "[app]") {
+    const TemporaryFolder folder;
+    const std::string frames = write_frames(folder.file("a"), 2);
+    for (const std::string rate : {"1e-300", "1e300"}) {
+        const Ran ran = run_drape({"video", frames, "-o", folder.file("a.mp4"), "--fps", rate});
+        CHECK(ran.exit_code == 2);
+        CHECK_THAT(ran.err, Contains("frames a second (--fps times --speed: 0.01 to 100000)"));
+    }
+    CHECK(folder.files() == 1);
+}
+
 TEST_CASE("sequences of other rates play together only at a rate that is given", "[app]") {
     const TemporaryFolder folder;
     const std::string a = write_frames(folder.file("a"), 2), b = write_frames(folder.file("b"), 2);
@@ -137,3 +148,76 @@ TEST_CASE("a video that is interrupted leaves nothing", "[app]") {
     CHECK(WEXITSTATUS(status) == 130);
     CHECK(folder.files() == 1);
 }
+
+#ifdef DRAPE_WITH_RENDER
+
+namespace {
+
+// A small sheet falls; ten frames a second.
+std::string falling_sheet(const std::string& duration) {
+    return "schema = 1\n[scene]\nduration = " + duration +
+           "\nframe_rate = 10\n[[cloth]]\npattern = { name = \"alternating\", divisions = [6, 6] }\n"
+           "fabric = \"cotton\"\n[render]\nsize = [97, 61]\n"
+           "camera = { from = [1, 1, 2], at = [0, -0.2, 0], fov_deg = 45 }\n";
+}
+
+}  // namespace
+
+TEST_CASE("render makes the very video that its pictures make, however many threads draw", "[app]") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("sheet.toml", falling_sheet("0.8")), out = folder.file("out");
+    for (const std::string name : {"a.mp4", "a.gif"}) {
+        const std::string video = folder.file("videos/" + name), after = folder.file(name);
+        const Ran ran = run_drape({"render", scene, "--out", out, "--video", video, "--threads", "3",
+                                   "--no-estimate", "--frames", "2:7"});
+        CAPTURE(name, ran.err);
+        REQUIRE(ran.exit_code == 0);
+        CHECK_THAT(ran.out, Contains(video));
+        REQUIRE(run_drape({"video", out, "-o", after, "--no-caption"}).exit_code == 0);
+        CHECK(value_of(probed(video), "nb_read_frames") == "6");
+        CHECK(bytes_of(video) == bytes_of(after));
+    }
+}
+
+TEST_CASE("the video of a run that was stopped and resumed has every frame", "[app]") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("sheet.toml", falling_sheet("6")), out = folder.file("out"),
+                      video = folder.file("a.mp4"), after = folder.file("b.mp4");
+    const pid_t child = fork();
+    if (child == 0) {
+        execl(DRAPE_PROGRAM, "drape", "render", scene.c_str(), "--out", out.c_str(), "--video", video.c_str(),
+              "--quiet", static_cast<char*>(nullptr));
+        _exit(127);
+    }
+    while (!std::filesystem::exists(out + "/frame_0003.png") && waitpid(child, nullptr, WNOHANG) == 0)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    kill(child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    REQUIRE(WIFEXITED(status));
+    REQUIRE(WEXITSTATUS(status) == 130);
+    CHECK(folder.files() == 2);  // scene and results: no video of a part
+    const Ran ran = run_drape({"render", scene, "--out", out, "--video", video, "--resume", "--quiet"});
+    CAPTURE(ran.err);
+    REQUIRE(ran.exit_code == 0);
+    REQUIRE(run_drape({"video", out, "-o", after, "--no-caption"}).exit_code == 0);
+    CHECK(value_of(probed(video), "nb_read_frames") == "60");
+    CHECK(bytes_of(video) == bytes_of(after));
+}
+
+TEST_CASE("a video that cannot be made is told before anything is simulated", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("sheet.toml", falling_sheet("0.8")), out = folder.file("out");
+    const Ran wrong = run_drape({"render", scene, "--out", out, "--video", folder.file("a.avi")});
+    CHECK(wrong.exit_code == 2);
+    CHECK_THAT(wrong.err, Contains("(known: .mp4, .webm, .webp, .gif)"));
+    const Environment path("PATH", "");
+    const Ran missing = run_drape({"render", scene, "--out", out, "--video", folder.file("a.mp4")});
+    CHECK(missing.exit_code == 3);
+    CHECK(missing.err == "drape: " + folder.file("a.mp4") + ": cannot write: ffmpeg is not installed\n");
+    CHECK(folder.files() == 1);
+}
+
+#endif

@@ -36,6 +36,7 @@ TEST_CASE("ffmpeg is told of raw frames, their size and rate, and of a file that
         CHECK(has(words, {"-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", "641x360", "-framerate",
                           "29.97", "-i", "pipe:0"}));
         CHECK(has(words, {"-nostdin"}));
+        CHECK(has(words, {"-xerror"}));  // or a full disk would go unnoticed
         CHECK(std::find(words.begin(), words.end(), "") == words.end());
     }
 }
