@@ -232,6 +232,9 @@ Action declare_video(CLI::App& verb) {
         ->type_name("TEXT")
         ->allow_extra_args(false);
     verb.add_flag("!--no-caption", asked->caption, "leave the frames without a caption");
+    verb.add_option("--width", asked->width, "resize each picture to so many pixels across")
+        ->type_name("N")
+        ->check(CLI::Range(1, 16384));
     verb.add_flag("--side-by-side", asked->side_by_side, "a pane for each sequence, playing together");
     verb.add_option("--label", asked->labels,
                     "of a pane; again for each sequence (default: the folder's name)")

@@ -21,7 +21,7 @@ _drape() {
                 embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2 projective_dynamics" -- "$word")
             return
             ;;
-        --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms | --fps | --speed | --loop | --caption | --label | --columns) return ;;
+        --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms | --fps | --speed | --loop | --caption | --label | --columns | --width) return ;;
     esac
 
     local words
@@ -32,7 +32,7 @@ _drape() {
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
         compare) words="--share --mean --rms --json --quiet --help" ;;
-        video) words="--out --fps --speed --boomerang --loop --caption --no-caption --side-by-side --label --columns --difference --quiet --help" ;;
+        video) words="--out --fps --speed --boomerang --loop --caption --no-caption --width --side-by-side --label --columns --difference --quiet --help" ;;
         mesh) words="one_way alternating crossed equilateral pseudo_random -o --size --divisions --seed --help" ;;
         list) words="scenes fabrics methods obstacles patterns --help" ;;
         *) return ;;

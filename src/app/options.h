@@ -71,6 +71,7 @@ struct VideoRequest {
     std::vector<std::string> captions, labels;  // none, one for all, or one of each sequence
     bool side_by_side = false, difference = false;
     int columns = 0;  // of panes; 0 = all in one row
+    int width = 0;    // of each picture [pixels]; 0 = as they are
     bool quiet = false;
 };
 

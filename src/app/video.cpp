@@ -40,7 +40,7 @@ std::vector<Take> takes_of(const VideoRequest& request, double& rate) {
     std::string rate_from;
     for (size_t i = 0; i < request.sequences.size(); ++i) {
         const std::string& folder = request.sequences[i];
-        Take take{find_sequence(folder), {}, ""};
+        Take take{find_sequence(folder), {}, "", request.width};
         const std::string report = (fs::path(folder) / "report.json").string();
         const bool own_caption = request.caption && request.captions.empty();
         if ((own_caption || !request.fps) && fs::exists(report)) {

@@ -1,8 +1,12 @@
 #include "video/film.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.h"
 #include "io/png.h"
 #include "picture/panes.h"
+#include "picture/resize.h"
 
 namespace drape {
 
@@ -18,14 +22,14 @@ void demand_one_size(const std::vector<Take>& takes) {
                             " pixels, ", first.files[0], " ", first.width, "x", first.height));
 }
 
-// The picture as it is in the file, which may have changed since the sequence was found.
+// The picture that is in the file, which may have changed since the sequence was found.
 Image picture_of(const Take& take, int k) {
     const std::string& file = take.sequence.files[static_cast<size_t>(k)];
-    Image image = read_png(file);
+    const Image image = read_png(file);
     if (image.width != take.sequence.width || image.height != take.sequence.height)
         throw Error(cat(file, ": is ", image.width, "x", image.height, " pixels, the others ",
                         take.sequence.width, "x", take.sequence.height));
-    return image;
+    return take.width > 0 ? resized(image, take.width, take.height()) : image;
 }
 
 void write_into(Image& image, const Take& take, int k) {
@@ -86,6 +90,11 @@ private:
 };
 
 }  // namespace
+
+int Take::height() const {
+    const double scale = static_cast<double>(width) / sequence.width;
+    return width > 0 ? std::max(1, static_cast<int>(std::lround(scale * sequence.height))) : sequence.height;
+}
 
 std::unique_ptr<Film> one_after_the_other(std::vector<Take> takes) {
     return std::make_unique<Concatenated>(std::move(takes));

@@ -16,6 +16,9 @@ struct Take {
     Sequence sequence;
     Captions captions;
     std::string label;  // of its pane, in the corner; "" = none
+    int width = 0;      // its pictures are resized to [pixels]; 0 = as they are
+
+    int height() const;  // in proportion
 };
 
 class Film {

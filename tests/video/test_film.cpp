@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "picture/panes.h"
+#include "picture/resize.h"
 #include "support/frames.h"
 #include "support/temporary_folder.h"
 
@@ -14,7 +15,7 @@ using Catch::Matchers::Contains;
 namespace {
 
 Take take(const std::string& folder) {
-    return {find_sequence(folder), {}, ""};
+    return {find_sequence(folder), {}, "", 0};
 }
 
 }  // namespace
@@ -57,6 +58,19 @@ TEST_CASE("captions follow their frames, and leave the rest of the picture alone
     CHECK(first.rgb == wanted_first.rgb);
     CHECK(second.rgb == wanted_second.rgb);
     CHECK(first.rgb != moving_disc(0, 160, 90).rgb);
+}
+
+TEST_CASE("pictures are resized before they are captioned", "[video]") {
+    const TemporaryFolder folder;
+    Take resized_take = take(write_frames(folder.file("a"), 1, 320, 180));
+    resized_take.width = 161;
+    resized_take.label = "small";
+    CHECK(resized_take.height() == 91);
+    Image expected = resized(moving_disc(0, 320, 180), 161, 91);
+    draw_caption(expected, {"small", {}}, Corner::top_left);
+    const Image frame = one_after_the_other({resized_take})->frame(0);
+    CHECK(frame.width == 161);
+    CHECK(frame.rgb == expected.rgb);
 }
 
 TEST_CASE("sequences that do not fit together are refused by name", "[video]") {
