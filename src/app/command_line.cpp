@@ -237,7 +237,7 @@ Action declare_video(CLI::App& verb) {
         ->check(CLI::Range(1, 16384));
     verb.add_flag("--side-by-side", asked->side_by_side, "a pane for each sequence, playing together");
     verb.add_option("--label", asked->labels,
-                    "of a pane; again for each sequence (default: the folder's name)")
+                    "in the upper corner; again for each sequence (default: of a pane its folder's name)")
         ->type_name("TEXT")
         ->allow_extra_args(false);
     verb.add_option("--columns", asked->columns, "panes in a row (default: all)")

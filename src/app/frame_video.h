@@ -1,7 +1,6 @@
 // The frames of a run as a video, encoded while the run goes on.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 

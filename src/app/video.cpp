@@ -1,4 +1,5 @@
 // video: sequences of pictures -> panes, captions, order -> ffmpeg.
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -33,37 +34,40 @@ const std::string& word_of(const std::vector<std::string>& words, size_t sequenc
     return words.size() == 1 ? words[0] : words[sequence];
 }
 
-std::vector<Take> takes_of(const VideoRequest& request, double& rate) {
-    demand_one_each(request.captions, request.sequences.size(), "--caption");
-    demand_one_each(request.labels, request.sequences.size(), "--label");
-    std::vector<Take> takes;
-    std::string rate_from;
-    for (size_t i = 0; i < request.sequences.size(); ++i) {
-        const std::string& folder = request.sequences[i];
-        Take take{find_sequence(folder), {}, "", request.width};
-        const std::string report = (fs::path(folder) / "report.json").string();
-        const bool own_caption = request.caption && request.captions.empty();
-        if ((own_caption || !request.fps) && fs::exists(report)) {
-            const ReportedRun run = read_reported_run(report);
-            if (own_caption) take.captions = run.captions;
-            // all who know a rate must know the same, or one of them would play too fast
-            if (run.frame_rate > 0) {
-                if (!rate_from.empty() && std::abs(run.frame_rate / rate - 1) > 1e-6 && !request.fps)
-                    throw Error(cat(folder, ": is of ", run.frame_rate, " frames a second, ", rate_from,
-                                    " of ", rate, " (--fps says how many are shown)"));
-                rate = run.frame_rate;
-                rate_from = folder;
-            }
-        }
-        if (request.caption && !request.captions.empty())
-            take.captions.common.title = word_of(request.captions, i);
-        if (!request.labels.empty())
-            take.label = word_of(request.labels, i);
-        else if (request.side_by_side)
-            take.label = name_of(folder);
-        takes.push_back(std::move(take));
+// Frames a second of the sequences whose reports tell it; all must tell the same, or one would play too fast.
+class CommonRate {
+public:
+    void add(const std::string& folder, double rate) {
+        if (!from_.empty() && std::abs(rate / rate_ - 1) > 1e-6)
+            throw Error(cat(folder, ": is of ", rate, " frames a second, ", from_, " of ", rate_,
+                            " (--fps says how many are shown)"));
+        rate_ = rate;
+        from_ = folder;
     }
-    return takes;
+    double rate() const { return rate_; }
+
+private:
+    double rate_ = 30;
+    std::string from_;
+};
+
+Take take_of(const VideoRequest& request, size_t i, CommonRate& rate) {
+    const std::string& folder = request.sequences[i];
+    Take take{find_sequence(folder), {}, "", request.width};
+    const bool reported_caption = request.caption && request.captions.empty();
+    const std::string report = (fs::path(folder) / "report.json").string();
+    if ((reported_caption || !request.fps) && fs::exists(report)) {
+        const ReportedRun run = read_reported_run(report);
+        if (reported_caption) take.captions = run.captions;
+        if (!request.fps && run.frame_rate > 0) rate.add(folder, run.frame_rate);
+    }
+    if (request.caption && !request.captions.empty())
+        take.captions.common.title = word_of(request.captions, i);
+    if (!request.labels.empty())
+        take.label = word_of(request.labels, i);
+    else if (request.side_by_side)
+        take.label = name_of(folder);
+    return take;
 }
 
 std::string size_of(const std::string& file) {
@@ -79,9 +83,12 @@ Exit make_video(const VideoRequest& request) {
     const VideoFormat& format = format_of(request.out);
     if (!request.side_by_side && (request.difference || request.columns > 0))
         throw Error(cat(request.difference ? "--difference" : "--columns", ": only with --side-by-side"));
-    double rate = 30;
-    std::vector<Take> takes = takes_of(request, rate);
-    rate = request.fps.value_or(rate) * request.speed;
+    demand_one_each(request.captions, request.sequences.size(), "--caption");
+    demand_one_each(request.labels, request.sequences.size(), "--label");
+    CommonRate common;
+    std::vector<Take> takes;
+    for (size_t i = 0; i < request.sequences.size(); ++i) takes.push_back(take_of(request, i, common));
+    double rate = request.fps.value_or(common.rate()) * request.speed;
     if (!(rate >= least_rate && rate <= most_rate))
         throw Error(cat("plays ", rate, " frames a second (--fps times --speed: ", least_rate, " to ",
                         most_rate, ")"));

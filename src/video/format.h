@@ -25,7 +25,7 @@ struct Canvas {
 const VideoFormat& format_of(const std::string& path);
 
 // ffmpeg and its arguments: raw frames on its standard input become the video at `out`. The same frames give
-// the same bytes on any machine with this ffmpeg: threads are counted, clocks and versions are left out.
+// the same bytes whatever the number of cores: threads are counted, clocks and versions are left out.
 std::vector<std::string> encode_words(const VideoFormat& format, const Canvas& canvas, const std::string& out,
                                       const std::string& palette = "");
 

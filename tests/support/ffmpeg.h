@@ -37,9 +37,9 @@ inline std::string value_of(const std::string& lines, const std::string& key) {
 
 // The `k`th frame of a video, decoded by ffmpeg, whose quick way to RGB would be up to 1.6 levels too dark.
 inline Image decoded_frame(const std::string& file, int k, int width, int height) {
-    const std::string bytes =
-        output_of("ffmpeg -v error -i '" + file + "' -vf 'select=eq(n\\," + std::to_string(k) +
-                  "),scale=flags=accurate_rnd+full_chroma_int' -frames:v 1 -f rawvideo -pix_fmt rgb24 - 2>/dev/null");
+    const std::string bytes = output_of(
+        "ffmpeg -v error -i '" + file + "' -vf 'select=eq(n\\," + std::to_string(k) +
+        "),scale=flags=accurate_rnd+full_chroma_int' -frames:v 1 -f rawvideo -pix_fmt rgb24 - 2>/dev/null");
     Image image(width, height);
     if (bytes.size() == image.rgb.size()) std::copy(bytes.begin(), bytes.end(), image.rgb.begin());
     return image;
