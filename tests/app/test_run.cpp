@@ -1,11 +1,4 @@
 // Whole runs of the program: what they leave behind, and that it is the same every time.
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <thread>
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -37,20 +30,8 @@ Json report_of(const std::string& folder) {
 
 // Starts a run, and interrupts it soon after `sign` is there.
 void interrupt(const char* verb, const std::string& scene, const std::string& out, const std::string& sign) {
-    const pid_t child = fork();
-    if (child == 0) {
-        execl(DRAPE_PROGRAM, "drape", verb, scene.c_str(), "--out", out.c_str(), "--quiet",
-              static_cast<char*>(nullptr));
-        _exit(127);
-    }
-    while (!std::filesystem::exists(sign) && waitpid(child, nullptr, WNOHANG) == 0)
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    kill(child, SIGINT);
-    int status = 0;
-    waitpid(child, &status, 0);
-    REQUIRE(WIFEXITED(status));
-    REQUIRE(WEXITSTATUS(status) == 130);
+    REQUIRE(interrupted_drape({verb, scene, "--out", out, "--quiet"},
+                              [&] { return std::filesystem::exists(sign); }) == 130);
     REQUIRE(std::filesystem::exists(out + "/checkpoint"));
 }
 

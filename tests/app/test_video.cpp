@@ -1,12 +1,5 @@
 // The verb `video` as its users run it. What needs ffmpeg is skipped, with a warning, where it is not
 // installed.
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <thread>
-
 #include <catch2/catch.hpp>
 
 #include "support/ffmpeg.h"
@@ -19,12 +12,6 @@ using namespace drape::test;
 using Catch::Matchers::Contains;
 
 namespace {
-
-bool skipped() {
-    static const bool installed = ffmpeg_is_installed();
-    if (!installed) WARN("skipped: ffmpeg and ffprobe are not installed");
-    return !installed;
-}
 
 // Writes a report of a run at 12 frames a second into `folder`.
 void write_report(const std::string& folder) {
@@ -43,7 +30,7 @@ double seconds_of(const std::string& video) {
 
 TEST_CASE("a video plays at the rate its scene has, there and back, twice, at three times the speed",
           "[app]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     const std::string frames = write_frames(folder.file("a"), 12), out = folder.file("a.mp4");
     write_report(frames);
@@ -61,7 +48,7 @@ TEST_CASE("a video plays at the rate its scene has, there and back, twice, at th
 }
 
 TEST_CASE("a video has its report's caption burnt in, or another, or none", "[app]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     const std::string frames = write_frames(folder.file("a"), 2, 320, 180), out = folder.file("a.mp4");
     write_report(frames);
@@ -85,7 +72,7 @@ TEST_CASE("a video has its report's caption burnt in, or another, or none", "[ap
 }
 
 TEST_CASE("panes stand side by side with their difference", "[app]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     const std::string frames = write_frames(folder.file("a"), 2), out = folder.file("a.gif");
     REQUIRE(run_drape({"video", "--side-by-side", frames, frames, "--difference", "-o", out}).exit_code == 0);
@@ -130,22 +117,11 @@ TEST_CASE("sequences of other rates play together only at a rate that is given",
 }
 
 TEST_CASE("a video that is interrupted leaves nothing", "[app]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     const std::string frames = write_frames(folder.file("a"), 2), out = folder.file("a.mp4");
-    const pid_t child = fork();
-    if (child == 0) {
-        execl(DRAPE_PROGRAM, "drape", "video", frames.c_str(), "-o", out.c_str(), "--loop", "1000", "--quiet",
-              static_cast<char*>(nullptr));
-        _exit(127);
-    }
-    while (folder.files() == 1 && waitpid(child, nullptr, WNOHANG) == 0)
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    kill(child, SIGINT);
-    int status = 0;
-    waitpid(child, &status, 0);
-    REQUIRE(WIFEXITED(status));
-    CHECK(WEXITSTATUS(status) == 130);
+    CHECK(interrupted_drape({"video", frames, "-o", out, "--loop", "1000", "--quiet"},
+                            [&] { return folder.files() > 1; }) == 130);
     CHECK(folder.files() == 1);
 }
 
@@ -164,7 +140,7 @@ std::string falling_sheet(const std::string& duration) {
 }  // namespace
 
 TEST_CASE("render makes the very video that its pictures make, however many threads draw", "[app]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     const std::string scene = folder.file("sheet.toml", falling_sheet("0.8")), out = folder.file("out");
     for (const std::string name : {"a.mp4", "a.gif"}) {
@@ -181,23 +157,12 @@ TEST_CASE("render makes the very video that its pictures make, however many thre
 }
 
 TEST_CASE("the video of a run that was stopped and resumed has every frame", "[app]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     const std::string scene = folder.file("sheet.toml", falling_sheet("6")), out = folder.file("out"),
                       video = folder.file("a.mp4"), after = folder.file("b.mp4");
-    const pid_t child = fork();
-    if (child == 0) {
-        execl(DRAPE_PROGRAM, "drape", "render", scene.c_str(), "--out", out.c_str(), "--video", video.c_str(),
-              "--quiet", static_cast<char*>(nullptr));
-        _exit(127);
-    }
-    while (!std::filesystem::exists(out + "/frame_0003.png") && waitpid(child, nullptr, WNOHANG) == 0)
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    kill(child, SIGINT);
-    int status = 0;
-    waitpid(child, &status, 0);
-    REQUIRE(WIFEXITED(status));
-    REQUIRE(WEXITSTATUS(status) == 130);
+    REQUIRE(interrupted_drape({"render", scene, "--out", out, "--video", video, "--quiet"},
+                              [&] { return std::filesystem::exists(out + "/frame_0003.png"); }) == 130);
     CHECK(folder.files() == 2);  // scene and results: no video of a part
     const Ran ran = run_drape({"render", scene, "--out", out, "--video", video, "--resume", "--quiet"});
     CAPTURE(ran.err);

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include <catch2/catch.hpp>
+
 #include "base/image.h"
 
 namespace drape::test {
@@ -18,8 +20,12 @@ inline std::string output_of(const std::string& command) {
     return out;
 }
 
-inline bool ffmpeg_is_installed() {
-    return std::system("ffmpeg -version > /dev/null 2>&1 && ffprobe -version > /dev/null 2>&1") == 0;
+// Says so where a test cannot run.
+inline bool skipped_without_ffmpeg() {
+    static const bool installed =
+        std::system("ffmpeg -version > /dev/null 2>&1 && ffprobe -version > /dev/null 2>&1") == 0;
+    if (!installed) WARN("skipped: ffmpeg and ffprobe are not installed");
+    return !installed;
 }
 
 // "key=value" lines of the first stream, and of its container.

@@ -1,6 +1,7 @@
 // The program as its users run it: arguments in; exit code, standard output and standard error out.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,9 @@ struct Ran {
 
 // Runs DRAPE_PROGRAM in `folder`; returns when it ended.
 Ran run_drape(const std::vector<std::string>& arguments, const std::string& folder = ".");
+
+// Runs DRAPE_PROGRAM and interrupts it soon after `sign` says so, unless it has ended by then. Returns the
+// exit code.
+int interrupted_drape(const std::vector<std::string>& arguments, const std::function<bool()>& sign);
 
 }  // namespace drape::test

@@ -17,12 +17,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-bool skipped() {
-    static const bool installed = ffmpeg_is_installed();
-    if (!installed) WARN("skipped: ffmpeg and ffprobe are not installed");
-    return !installed;
-}
-
 void encode(const std::string& path, int frames, int width, int height, double rate) {
     Encoder encoder(path, {width, height, rate});
     do
@@ -47,7 +41,7 @@ std::uint32_t little_endian(const std::string& bytes, size_t at, int count) {
 }  // namespace
 
 TEST_CASE("mp4, webm and gif have the codec, size, frames and duration asked for", "[video]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const struct {
         std::string file, codec, pixels;
         double late;  // how much longer the last frame may be shown [s]
@@ -77,7 +71,7 @@ TEST_CASE("mp4, webm and gif have the codec, size, frames and duration asked for
 // ffprobe 5.1 does not read animated WebP: its chunks are counted here, as the WebP container specification
 // has them.
 TEST_CASE("a webp has its size, every frame and its duration, and loops for ever", "[video]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     encode(folder.file("a.webp"), 12, 65, 37, 20);
     const std::string bytes = bytes_of(folder.file("a.webp"));
@@ -99,7 +93,7 @@ TEST_CASE("a webp has its size, every frame and its duration, and loops for ever
 }
 
 TEST_CASE("a frame of a video shows the colours of its picture", "[video]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     const struct {
         std::string file;
@@ -120,7 +114,7 @@ TEST_CASE("a frame of a video shows the colours of its picture", "[video]") {
 
 TEST_CASE("odd sizes gain a pixel where colour is stored at half the resolution, and show nothing new",
           "[video]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     encode(folder.file("a.mp4"), 2, 65, 37, 30);
     const std::string says = probed(folder.file("a.mp4"));
@@ -135,7 +129,7 @@ TEST_CASE("odd sizes gain a pixel where colour is stored at half the resolution,
 }
 
 TEST_CASE("the same frames give the same bytes", "[video]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     for (const std::string name : {"a.mp4", "a.webm", "a.webp", "a.gif"}) {
         encode(folder.file(name), 4, 64, 36, 30);
@@ -147,7 +141,7 @@ TEST_CASE("the same frames give the same bytes", "[video]") {
 }
 
 TEST_CASE("a mp4 begins with its index, so that it plays while it loads", "[video]") {
-    if (skipped()) return;
+    if (skipped_without_ffmpeg()) return;
     const TemporaryFolder folder;
     encode(folder.file("a.mp4"), 4, 64, 36, 30);
     const std::string bytes = bytes_of(folder.file("a.mp4"));
