@@ -18,6 +18,8 @@ public:
     void add(int frame, const Image& image);
     // All frames up to the last are there; the file appears.
     void finish();
+    // What encoding took, once finished [s].
+    double cpu_seconds() const { return encoder_.cpu_seconds(); }
 
 private:
     void take_pictures_before(int frame);

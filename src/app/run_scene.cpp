@@ -254,7 +254,10 @@ void Run::finish(bool complete) {
         report_.times.write += pictures_->times().write;
         report_.renderer = pictures_->renderer();
     }
-    if (video_ && complete) video_->finish();
+    if (video_ && complete) {
+        video_->finish();
+        report_.times.video = video_->cpu_seconds();
+    }
 #endif
     for (const auto& cache : caches_) cache->finish();
     add_output_stages();
@@ -272,7 +275,7 @@ void Run::finish(bool complete) {
     report_.flow = simulation.flow();
     report_.times.contact = simulation.contact_seconds();
     report_.times.error = report_.error.seconds;
-    report_.times.total = process_cpu_seconds();
+    report_.times.total = process_cpu_seconds() + report_.times.video;
     report_.times.wall = wall_.seconds();
     write_file(out_ + "/report.json", report_json(report_));
     if (complete) {

@@ -135,7 +135,7 @@ std::string report_json(const RunReport& r) {
     json["time"] = {{"total_s", t.total},       {"load_s", t.load},       {"build_s", t.build},
                     {"simulate_s", t.simulate}, {"contact_s", t.contact}, {"error_s", t.error},
                     {"render_s", t.render},     {"encode_s", t.encode},   {"write_s", t.write},
-                    {"wall_s", t.wall}};
+                    {"video_s", t.video},       {"wall_s", t.wall}};
     json["memory_peak_mb"] = peak_memory_mb();
     json["energy"] = {{"start_j", r.start.total()},
                       {"end_j", r.end.total()},

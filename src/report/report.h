@@ -10,10 +10,11 @@
 
 namespace drape {
 
-// CPU seconds of the whole process, stage by stage; wall_s for the person who waited.
+// CPU seconds of the whole process and of the program that encodes a video, stage by stage; wall_s for the
+// person who waited.
 struct StageTimes {
-    double load = 0, build = 0, simulate = 0, contact = 0, error = 0, render = 0, encode = 0,
-           write = 0;            // [s]
+    double load = 0, build = 0, simulate = 0, contact = 0, error = 0, render = 0, encode = 0, write = 0,
+           video = 0;            // [s]
     double total = 0, wall = 0;  // [s]
 };
 

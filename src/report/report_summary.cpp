@@ -67,8 +67,8 @@ std::string report_summary(const RunReport& r) {
                            r.method->name, ", ", number("%.3g", r.step * 1e6), " us each (", stable, ")\n");
     text += cat("  CPU ", number("%.1f", t.total), " s: simulate ", number("%.1f", t.simulate), " (contact ",
                 number("%.1f", t.contact), "), render ", number("%.1f", t.render), ", encode ",
-                number("%.1f", t.encode), "; wall ", number("%.1f", t.wall), " s; memory ",
-                number("%.0f", peak_memory_mb()), " MB\n");
+                number("%.1f", t.encode), t.video > 0 ? ", video " + number("%.1f", t.video) : "", "; wall ",
+                number("%.1f", t.wall), " s; memory ", number("%.0f", peak_memory_mb()), " MB\n");
     text += cat("  energy ", number("%.4g", r.start.total()), " -> ", number("%.4g", r.end.total()),
                 " J, heat ", number("%.4g", r.flow.dissipated), " J, put in ", number("%.4g", r.flow.driven),
                 " J, unaccounted ", number("%.2g", r.energy_drift()), " J\n");

@@ -57,6 +57,7 @@ void Encoder::finish() {
 
 void Encoder::end_program() {
     if (const std::string reason = program_->finish(); !reason.empty()) fail(reason);
+    cpu_seconds_ += program_->cpu_seconds();
 }
 
 void Encoder::fail(std::string reason) const {

@@ -29,6 +29,8 @@ public:
     // True where all frames are needed once more: those of a GIF, once its palette is found.
     bool another_pass();
     void finish();
+    // What ffmpeg took, once finished [s].
+    double cpu_seconds() const { return cpu_seconds_; }
 
 private:
     void start(const std::vector<std::string>& words);
@@ -42,6 +44,7 @@ private:
     std::optional<OutputFile> palette_;
     bool palette_found_ = false;
     std::unique_ptr<PipedProgram> program_;
+    double cpu_seconds_ = 0;
 };
 
 }  // namespace drape

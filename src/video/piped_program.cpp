@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -51,6 +52,10 @@ std::string without_address(const std::string& line) {
                : line;
 }
 
+double seconds_of(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 }  // namespace
 
 PipedProgram::PipedProgram(const std::vector<std::string>& words) : name_(words.at(0)) {
@@ -91,8 +96,10 @@ std::string PipedProgram::finish() {
     DRAPE_ASSERT(process_ >= 0);
     close_if_open(to_program_);
     int status = 0;
-    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+    rusage used{};
+    while (wait4(process_, &status, 0, &used) < 0 && errno == EINTR) continue;
     process_ = -1;
+    cpu_seconds_ = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
     if (WIFSIGNALED(status)) return cat(name_, " was ended by a signal: ", strsignal(WTERMSIG(status)));
     if (WEXITSTATUS(status) == 0) return "";
     const std::string line = complaint();

@@ -24,6 +24,8 @@ public:
     // Tells the program that this is all and waits for its end. "" if it succeeded, else the last line of its
     // complaint.
     std::string finish();
+    // Of the program, once it has ended [s].
+    double cpu_seconds() const { return cpu_seconds_; }
 
 private:
     std::string complaint() const;
@@ -31,6 +33,7 @@ private:
     std::string name_;
     int to_program_ = -1, says_ = -1;  // descriptors
     pid_t process_ = -1;
+    double cpu_seconds_ = 0;
 };
 
 }  // namespace drape

@@ -1,6 +1,7 @@
 // The verb `video` as its users run it. What needs ffmpeg is skipped, with a warning, where it is not
 // installed.
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "support/ffmpeg.h"
 #include "support/frames.h"
@@ -10,6 +11,7 @@
 using namespace drape;
 using namespace drape::test;
 using Catch::Matchers::Contains;
+using Json = nlohmann::json;
 
 namespace {
 
@@ -150,6 +152,9 @@ TEST_CASE("render makes the very video that its pictures make, however many thre
         CAPTURE(name, ran.err);
         REQUIRE(ran.exit_code == 0);
         CHECK_THAT(ran.out, Contains(video));
+        const Json time = Json::parse(bytes_of(out + "/report.json"))["time"];
+        CHECK(time["video_s"].get<double>() > 0);
+        CHECK(time["total_s"].get<double>() > time["video_s"].get<double>() + time["render_s"].get<double>());
         REQUIRE(run_drape({"video", out, "-o", after, "--no-caption"}).exit_code == 0);
         CHECK(value_of(probed(video), "nb_read_frames") == "6");
         CHECK(bytes_of(video) == bytes_of(after));

@@ -28,6 +28,7 @@ TEST_CASE("what is written arrives at the program's standard input", "[video]") 
     }
     CHECK(program.finish().empty());
     CHECK(bytes_of(folder.file("out")) == all);
+    CHECK(program.cpu_seconds() > 0);
 }
 
 TEST_CASE("a program that fails is told by its last line, one that is killed by the signal", "[video]") {
