@@ -63,6 +63,8 @@ public:
     // this, where its sweeps work on padded vertices (padded_force.h)
     virtual const PaddedForce* padded() const { return nullptr; }
     virtual bool is_conservative() const { return true; }  // false: add_all does more than add_conservative
+    // Whether what add_all does more is -B (v - something), B symmetric and constant at a pose.
+    virtual bool is_linear_in_velocity() const { return true; }
 
     // adds this force's rows at the pose x; holds for small changes of pose
     virtual void add_bound(In x, StepBound& bound) const = 0;

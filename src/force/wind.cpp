@@ -50,6 +50,7 @@ public:
     double energy(In) const override { return 0; }
     void add_conservative(In, Out) const override {}
     bool is_conservative() const override { return false; }
+    bool is_linear_in_velocity() const override { return false; }
 
     Power add_all(In x, In v, double time, Out f) const override {
         const Vec3 wind = gusts_.factor(time) * air_.wind;

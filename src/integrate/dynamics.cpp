@@ -34,12 +34,12 @@ void Dynamics::to_acceleration(Points& f) const {
     }
 }
 
-template <class Add>
-void Dynamics::sum_padded(In x, ForceShare share, Points& f, Add add) {
+template <class Wanted, class Add>
+void Dynamics::sum_padded(In x, Wanted wanted, Points& f, Add add) {
     bool found = false;
     for (const ActiveForce& active : forces_) {
         const PaddedForce* force = active.force->padded();
-        if (!force || !is_in(share, *force)) continue;
+        if (!force || !wanted(*force)) continue;
         if (!found) {
             pad(x, padded_x_);
             padded_f_.setZero(4, x.cols());
@@ -55,8 +55,9 @@ void Dynamics::sum_padded(In x, ForceShare share, Points& f, Add add) {
 
 void Dynamics::sum_conservative(In x, ForceShare share, Points& f) {
     ++sweeps_;
-    sum_padded(x, share, f,
-               [&](const PaddedForce& force) { force.add_padded_conservative(padded_x_, padded_f_); });
+    sum_padded(
+        x, [&](const Force& force) { return is_in(share, force); }, f,
+        [&](const PaddedForce& force) { force.add_padded_conservative(padded_x_, padded_f_); });
     for (const ActiveForce& active : forces_) {
         if (!is_in(share, *active.force)) continue;
         if (!active.force->padded()) active.force->add_conservative(x, f);
@@ -78,11 +79,11 @@ void Dynamics::conservative_acceleration(In x, double time, Points& a) {
     to_acceleration(a);
 }
 
-void Dynamics::sum_all(In x, In v, double time, ForceShare share, Points& f) {
-    ++sweeps_;
+template <class Wanted>
+void Dynamics::sum_moving(In x, In v, double time, Wanted wanted, Points& f) {
     power_ = {};
     bool moving = false;  // whether velocities are padded: only damping asks for them
-    sum_padded(x, share, f, [&](const PaddedForce& force) {
+    sum_padded(x, wanted, f, [&](const PaddedForce& force) {
         if (force.is_conservative()) {
             force.add_padded_conservative(padded_x_, padded_f_);
             return;
@@ -92,10 +93,23 @@ void Dynamics::sum_all(In x, In v, double time, ForceShare share, Points& f) {
         power_ += force.add_padded(padded_x_, padded_v_, padded_f_);
     });
     for (const ActiveForce& active : forces_) {
-        if (!is_in(share, *active.force)) continue;
-        if (!active.force->padded()) power_ += active.force->add_all(x, v, time, f);
-        ++active.calls;
+        if (wanted(*active.force) && !active.force->padded()) power_ += active.force->add_all(x, v, time, f);
     }
+}
+
+void Dynamics::linearly_damped_acceleration(In x, In v, Points& a, ForceShare share) {
+    const auto linear = [&](const Force& force) {
+        return is_in(share, force) && !force.is_conservative() && force.is_linear_in_velocity();
+    };
+    sum_moving(x, v, 0, linear, a);
+    to_acceleration(a);
+}
+
+void Dynamics::sum_all(In x, In v, double time, ForceShare share, Points& f) {
+    ++sweeps_;
+    const auto wanted = [&](const Force& force) { return is_in(share, force); };
+    sum_moving(x, v, time, wanted, f);
+    for (const ActiveForce& active : forces_) active.calls += wanted(*active.force);
     if (contact_) {
         const ThreadCpuScope timer(contact_seconds_);
         touch_ = contact_->add_all(x, v, time, f);
@@ -191,6 +205,14 @@ StepBound Dynamics::bound(In x, ForceShare share) const {
     StepBound bound(model_.vertices());
     for (const ActiveForce& active : forces_)
         if (is_in(share, *active.force)) active.force->add_bound(x, bound);
+    return bound;
+}
+
+StepBound Dynamics::nonlinear_bound(In x, ForceShare share) const {
+    StepBound bound(model_.vertices());
+    for (const ActiveForce& active : forces_)
+        if (is_in(share, *active.force) && !active.force->is_linear_in_velocity())
+            active.force->add_bound(x, bound);
     return bound;
 }
 

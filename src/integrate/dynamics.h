@@ -39,6 +39,9 @@ public:
     // the same without contact: what bound() bounds
     void acceleration_without_contact(In x, Points& a, ForceShare share = ForceShare::all);
 
+    // the forces alone whose damping is linear (Force::is_linear_in_velocity); 0 where pinned
+    void linearly_damped_acceleration(In x, In v, Points& a, ForceShare share = ForceShare::all);
+
     // a = all forces / m; keeps power, contact limits and friction's normal forces of this moment
     void acceleration(In x, In v, double time, Points& a);
 
@@ -69,6 +72,8 @@ public:
     double kinetic_energy(In v) const;                                // of free vertices [J]
     double potential_energy(In x, double time) const;                 // elastic, gravity, contact [J]
     StepBound bound(In x, ForceShare share = ForceShare::all) const;  // of forces but contact
+    // ... of those alone whose damping is not linear
+    StepBound nonlinear_bound(In x, ForceShare share = ForceShare::all) const;
 
     // For implicit methods: which vertices any force couples; K += -df/dx and B += -df/dv of all forces and
     // contact, symmetric. Only contact's K depends on v.
@@ -89,10 +94,13 @@ public:
     double contact_seconds() const { return contact_seconds_; }  // CPU [s]
 
 private:
-    // f = the sum of the forces that work on padded vertices, each of which `add` adds to padded_f_ at
-    // padded_x_
-    template <class Add>
-    void sum_padded(In x, ForceShare share, Points& f, Add add);
+    // f = the sum of the `wanted` forces that work on padded vertices, each of which `add` adds to padded_f_
+    // at padded_x_
+    template <class Wanted, class Add>
+    void sum_padded(In x, Wanted wanted, Points& f, Add add);
+    // f = the sum of the `wanted` forces, all that they do
+    template <class Wanted>
+    void sum_moving(In x, In v, double time, Wanted wanted, Points& f);
     void sum_conservative(In x, ForceShare share, Points& f);  // of forces but contact
     void sum_all(In x, In v, double time, ForceShare share, Points& f);
     void finish(In v, Points& f);  // books the pins' power, makes accelerations of forces

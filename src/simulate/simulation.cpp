@@ -13,7 +13,7 @@ namespace {
 
 constexpr double margin = 0.85;          // of the longest stable step that is used
 constexpr double widest_margin = 0.98;   // ... by a pass that is there to be coarser
-constexpr double measured_excess = 1.1;  // a measured fastest mode is taken to be this much faster
+constexpr double measured_excess = 1.1;  // measured modes are taken to be this much faster, more damped
 
 std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
     return model.cloths.size() > 1 ? cat(stage, " (cloth ", cloth + 1, ")") : std::string(stage);
@@ -90,6 +90,8 @@ void Simulation::choose_step() {
     guaranteed_ = method_->longest_step(spectrum_);
     spectrum_.omega =
         std::min(spectrum_.omega, measured_excess * measured_omega(*dynamics_, state_.x, share));
+    spectrum_.gamma =
+        std::min(spectrum_.gamma, measured_excess * measured_gamma(*dynamics_, state_.x, share));
     longest_ = method_->longest_step(spectrum_);
     const double usual = usual_step(*method_);
     double wanted = setup_.step.value_or(usual);

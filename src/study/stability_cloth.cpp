@@ -156,8 +156,8 @@ SmallMotion small_motion(const Setup& setup) {
     Simulation simulation(std::move(any));
     const auto spectrum = [&](ForceShare share) {
         const Points& x = simulation.state().x;
-        const double damping = gershgorin_spectrum(simulation.dynamics(), x, share).gamma;
-        return Spectrum{measured_omega(simulation.dynamics(), x, share), damping};
+        return Spectrum{measured_omega(simulation.dynamics(), x, share),
+                        measured_gamma(simulation.dynamics(), x, share)};
     };
     const double weight = setup.model.mass.sum() * setup.world.gravity.norm();
     const double stretched = weight / mean_spring_constant(setup.model);
