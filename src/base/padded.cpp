@@ -7,10 +7,16 @@ namespace drape {
 namespace {
 
 DRAPE_WIDE void spread_out(const double* from, Eigen::Index points, double* to) {
-    for (Eigen::Index i = 0; i < points; ++i) {
-        const Lanes point = {from[3 * i], from[3 * i + 1], from[3 * i + 2], 0};
+    // a load of four takes the next vertex's x along; the last vertex has no next
+    for (Eigen::Index i = 0; i + 1 < points; ++i) {
+        Lanes point;
+        load(point, from + 3 * i);
+        point[3] = 0;
         store(point, to + 4 * i);
     }
+    if (points == 0) return;
+    const double* last = from + 3 * (points - 1);
+    store(Lanes{last[0], last[1], last[2], 0}, to + 4 * (points - 1));
 }
 
 DRAPE_WIDE void close_up(const double* from, Eigen::Index points, double* to) {

@@ -29,6 +29,12 @@ double impact_speed(const Cloth& cloth, const Obstacle& obstacle, const Vec3& gr
     return started + std::sqrt(2 * g * fall) + surface_speed(obstacle);
 }
 
+// No column is longer; the longest may be shorter by up to sqrt 3, but this needs no column's own length.
+template <class Columns>
+double most_length(const Columns& columns) {
+    return std::sqrt(3.0) * columns.cwiseAbs().maxCoeff();
+}
+
 }  // namespace
 
 Contact::Contact(const Model& model, const std::vector<Obstacle>& obstacles, const Vec3& gravity,
@@ -45,14 +51,14 @@ Contact::Contact(const Model& model, const std::vector<Obstacle>& obstacles, con
 }
 
 void Contact::prepare(const State& state, double h) {
-    const double fastest = std::sqrt(state.v.colwise().squaredNorm().maxCoeff());
-    cover(state.x, state.time, 2 * h * (fastest + obstacle_speed_));  // twice what this step needs
+    // twice what this step needs
+    cover(state.x, state.time, 2 * h * (most_length(state.v) + obstacle_speed_));
 }
 
 void Contact::cover(In x, double time, double way) {
     if (way_ >= 0) {
-        const double moved = std::sqrt((x - gathered_at_).colwise().squaredNorm().maxCoeff()) +
-                             obstacle_speed_ * std::abs(time - gathered_time_);
+        const double moved =
+            most_length(x - gathered_at_) + obstacle_speed_ * std::abs(time - gathered_time_);
         if (moved + way <= way_) return;
     }
     way_ = std::max(4 * thickness_, 20 * way);

@@ -1,28 +1,39 @@
 // Air drag: f = -d A (v - wind), linear; d [kg/(s m^2)], A the vertex's area. It has no energy: it only turns
 // motion relative to the air into heat.
+#include "base/wide.h"
 #include "force/kinds.h"
+#include "force/padded_force.h"
 
 namespace drape {
 
 namespace {
 
-class AirDrag final : public Force {
+// f += rate (wind - v) for every vertex; returns the power it puts in
+DRAPE_WIDE double push(const Eigen::VectorXd& rate, const Vec3& wind, const double* v, double* f) {
+    const Lanes flow = {wind.x(), wind.y(), wind.z(), 0};
+    Lanes power = {};
+    for (Eigen::Index i = 0; i < rate.size(); ++i) {
+        Lanes velocity, sum;
+        load(velocity, v + 4 * i);
+        load(sum, f + 4 * i);
+        const Lanes force = rate[i] * (flow - velocity);
+        store(sum + force, f + 4 * i);
+        power += force * velocity;
+    }
+    return lane_sum(power);
+}
+
+class AirDrag final : public PaddedForce {
 public:
     AirDrag(const Cloth& cloth, const AirDescription& air)
         : first_(cloth.first), rate_(air.drag * cloth.area), wind_(air.wind) {}
 
     double energy(In) const override { return 0; }
-    void add_conservative(In, Out) const override {}
+    void add_padded_conservative(const PaddedPoints&, PaddedPoints&) const override {}
     bool is_conservative() const override { return false; }
 
-    Power add_all(In, In v, double, Out f) const override {
-        double power = 0;
-        for (Eigen::Index i = 0; i < rate_.size(); ++i) {
-            const Vec3 velocity = v.col(first_ + i);
-            const Vec3 force = rate_[i] * (wind_ - velocity);
-            f.col(first_ + i) += force;
-            power += force.dot(velocity);
-        }
+    Power add_padded(const PaddedPoints&, const PaddedPoints& v, PaddedPoints& f) const override {
+        const double power = push(rate_, wind_, v.col(first_).data(), f.col(first_).data());
         return power < 0 ? Power{-power, 0} : Power{0, power};
     }
     void add_bound(In, StepBound& bound) const override {
