@@ -6,6 +6,7 @@
 #include "app/verbs.h"
 #include "app/version.h"
 #ifdef DRAPE_WITH_STUDY
+#include "base/shell_word.h"
 #include "io/read_file.h"
 #include "io/write_file.h"
 #include "report/report.h"

@@ -15,7 +15,7 @@
 #include "force/wind.h"
 #include "mesh/pattern.h"
 #include "obstacle/shape.h"
-#include "scene/place.h"
+#include "toml/place.h"
 
 namespace drape {
 

@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "base/error.h"
-#include "scene/keys.h"
+#include "toml/keys.h"
 
 namespace drape {
 

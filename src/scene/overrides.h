@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/value.h"
+#include "toml/value.h"
 
 namespace drape {
 

@@ -1,7 +1,7 @@
 // [[cloth]]: where its mesh comes from, where it stands, what it is made of, what holds it.
 
-#include "scene/keys.h"
 #include "scene/read_parts.h"
+#include "toml/keys.h"
 
 namespace drape {
 

@@ -1,7 +1,7 @@
 // [expect]: what a run of the scene should come to.
 
-#include "scene/keys.h"
 #include "scene/read_parts.h"
+#include "toml/keys.h"
 
 namespace drape {
 

@@ -2,8 +2,8 @@
 // no damping).
 
 #include "scene/fabric_words.h"
-#include "scene/keys.h"
 #include "scene/read_parts.h"
+#include "toml/keys.h"
 
 namespace drape {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "scene/keys.h"
 #include "scene/read_parts.h"
+#include "toml/keys.h"
 
 namespace drape {
 

@@ -2,9 +2,9 @@
 
 #include "base/error.h"
 #include "obstacle/obstacle.h"
-#include "scene/keys.h"
 #include "scene/read_parts.h"
 #include "scene/shape_keys.h"
+#include "toml/keys.h"
 
 namespace drape {
 

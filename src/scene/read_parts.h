@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/description.h"
-#include "scene/value.h"
+#include "toml/value.h"
 
 namespace drape {
 

@@ -1,8 +1,8 @@
 // [accuracy] and [air].
 
 #include "integrate/method.h"
-#include "scene/keys.h"
 #include "scene/read_parts.h"
+#include "toml/keys.h"
 
 namespace drape {
 

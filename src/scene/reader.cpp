@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scene/keys.h"
 #include "scene/overrides.h"
 #include "scene/read_parts.h"
+#include "toml/keys.h"
 
 namespace drape {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "obstacle/shape.h"
-#include "scene/keys.h"
+#include "toml/keys.h"
 
 namespace drape {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "study/numbers.h"
+#include "base/numbers.h"
 
 namespace drape {
 

@@ -2,6 +2,8 @@
 
 #include <regex>
 
+#include "base/markup.h"
+
 namespace drape {
 
 namespace {
@@ -29,32 +31,6 @@ std::string cell(const std::string& text, bool words) {
 }
 
 }  // namespace
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            case '\'':
-                out += "&#39;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
-}
 
 std::string paragraph(const std::string& text) {
     return "<p>" + escaped(text) + "</p>\n";

@@ -6,9 +6,6 @@
 
 namespace drape {
 
-// Safe as text and as an attribute's value.
-std::string escaped(const std::string& text);
-
 std::string paragraph(const std::string& text);  // escapes
 // A table; cells are escaped, those after `words` of a row are set as numbers.
 std::string table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,

@@ -6,10 +6,10 @@
 
 #include "base/error.h"
 #include "base/names.h"
+#include "base/numbers.h"
 #include "scene/builder.h"
 #include "simulate/predicted_cost.h"
 #include "study/measure.h"
-#include "study/numbers.h"
 
 namespace drape {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "simulate/error_estimate.h"
 #include "simulate/predicted_cost.h"
 #include "simulate/twin.h"
-#include "study/numbers.h"
 
 namespace drape {
 

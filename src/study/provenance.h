@@ -10,7 +10,4 @@ struct Provenance {
     unsigned cores = 0;
 };
 
-// A word of a command, quoted where a shell would make more or less of it.
-std::string shell_word(const std::string& word);
-
 }  // namespace drape

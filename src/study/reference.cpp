@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "study/measure.h"
-#include "study/numbers.h"
 #include "study/sundials_reference.h"
 
 namespace drape {

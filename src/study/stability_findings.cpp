@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/names.h"
-#include "study/numbers.h"
+#include "base/numbers.h"
 
 namespace drape {
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/markup.h"
+#include "base/numbers.h"
 #include "scene/fabric_words.h"
 #include "study/html.h"
-#include "study/numbers.h"
 #include "study/stability_findings.h"
 #include "study/stability_plot.h"
 

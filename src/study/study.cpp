@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/timer.h"
-#include "study/numbers.h"
 
 namespace drape {
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/markup.h"
+#include "base/numbers.h"
 #include "study/findings.h"
 #include "study/html.h"
-#include "study/numbers.h"
 
 namespace drape {
 

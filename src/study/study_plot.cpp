@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "study/findings.h"
-#include "study/numbers.h"
 #include "study/plot_labels.h"
 #include "study/plot_style.h"
 

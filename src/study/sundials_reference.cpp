@@ -8,8 +8,8 @@
 #include <array>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/timer.h"
-#include "study/numbers.h"
 
 namespace drape {
 

@@ -7,13 +7,13 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "bench/drape_contestants.h"
 #include "bench/plain_verlet.h"
 #include "bench/sundials_solvers.h"
 #include "bench/table.h"
 #include "simulate/error_estimate.h"
 #include "study/measure.h"
-#include "study/numbers.h"
 #include "study/sundials_reference.h"
 #include "support/setups.h"
 

@@ -6,13 +6,13 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "bench/delivered.h"
 #include "bench/fixed_setting.h"
 #include "bench/table.h"
 #include "bench/tolerance_scene.h"
 #include "bench/true_positions.h"
 #include "simulate/error_estimate.h"
-#include "study/numbers.h"
 
 namespace drape::bench {
 

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "bench/delivered.h"
 #include "study/measure.h"
-#include "study/numbers.h"
 
 namespace drape::bench {
 

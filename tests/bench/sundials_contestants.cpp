@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "bench/sundials_solvers.h"
-#include "study/numbers.h"
 
 namespace drape::bench {
 

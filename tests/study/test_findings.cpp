@@ -1,8 +1,8 @@
 // The cheapest way to an error, and numbers as people read them.
 #include <catch2/catch.hpp>
 
+#include "base/numbers.h"
 #include "study/findings.h"
-#include "study/numbers.h"
 
 using namespace drape;
 

@@ -23,14 +23,15 @@ constexpr std::array table{
     Layer{"integrate", "force contact cloth mesh base"},
     Layer{"simulate", "integrate contact force obstacle cloth mesh base"},
     Layer{"io", "mesh base"},
-    Layer{"scene", "io simulate integrate contact force obstacle cloth mesh base"},
+    Layer{"toml", "base"},
+    Layer{"scene", "toml io simulate integrate contact force obstacle cloth mesh base"},
     Layer{"picture", "base"},
     Layer{"render", "picture mesh base"},
     Layer{"report", "simulate base"},
-    Layer{"compare", "io base"},
+    Layer{"compare", "toml picture io base"},
     Layer{"video", "picture io base"},
     Layer{"study",
-          "compare report render scene io simulate integrate contact force obstacle cloth mesh base"},
+          "compare report render scene toml io simulate integrate contact force obstacle cloth mesh base"},
     Layer{"app", "*"},
 };
 

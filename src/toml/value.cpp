@@ -1,4 +1,4 @@
-#include "scene/value.h"
+#include "toml/value.h"
 
 #include <algorithm>
 

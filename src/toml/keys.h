@@ -8,7 +8,7 @@
 
 #include "base/names.h"
 #include "base/points.h"
-#include "scene/value.h"
+#include "toml/value.h"
 
 namespace drape {
 

@@ -1,4 +1,4 @@
-// A parsed scene file: a tree of values, each knowing where it stands, in the order of the file.
+// A parsed TOML file: a tree of values, each knowing where it stands, in the order of the file.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/place.h"
+#include "toml/place.h"
 
 namespace drape {
 

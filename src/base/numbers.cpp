@@ -1,4 +1,4 @@
-#include "study/numbers.h"
+#include "base/numbers.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "scene/keys.h"
+#include "toml/keys.h"
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "scene/value.h"
+#include "toml/value.h"
 
 namespace drape {
 
@@ -69,7 +69,7 @@ void check_dotted_keys(std::string_view text, const std::string& source) {
             if (c == quote) quote = 0;
         } else if (c == '"' || c == '\'') {
             if (text.substr(i, 3) == std::string(3, c))
-                throw Error(cat(source, ":", line, ": a multi-line string (a scene has none)"));
+                throw Error(cat(source, ":", line, ": a multi-line string (none is taken)"));
             quote = c;
         } else if (c == '#') {
             comment = true;

@@ -1,4 +1,4 @@
-#include "study/provenance.h"
+#include "base/shell_word.h"
 
 namespace drape {
 

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "scene/value.h"
 #include "support/scene_file.h"
+#include "toml/value.h"
 
 using namespace drape;
 using namespace drape::test;

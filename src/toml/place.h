@@ -1,4 +1,4 @@
-// Where something stands in the scene file, for messages.
+// Where something stands in a file, for messages.
 #pragma once
 
 #include <string>
