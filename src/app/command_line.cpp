@@ -186,17 +186,34 @@ Action declare_compare(CLI::App& verb) {
                     "a picture, a cache (.pc2, .mdd), or a folder of frames and caches")
         ->required();
     verb.add_option("REFERENCE", asked->reference, "what it should be like, of the same kind")->required();
-    verb.add_option("--share", asked->share_over,
-                    "share of a picture's pixels that may be over 8 levels off (default 2e-5)")
-        ->type_name("SHARE")
-        ->check(CLI::Range(0.0, 1.0));
-    verb.add_option("--mean", asked->mean_levels, "mean difference a picture may have (default 2e-3)")
-        ->type_name("LEVELS")
-        ->check(CLI::Range(0.0, 255.0));
-    verb.add_option("--rms", asked->rms, "how far a cache's sample may be off, in metres (default 1e-6)")
-        ->type_name("M")
-        ->check(CLI::NonNegativeNumber);
+    const struct {
+        std::string key, type, says;
+    } common[] = {
+        {"share", "SHARE", "share of a picture's pixels that may be over 8 levels off (default 2e-5)"},
+        {"mean", "LEVELS", "mean difference a picture may have (default 2e-3)"},
+        {"rms", "M", "how far a cache's sample may be off, in metres (default 1e-6)"}};
+    for (const auto& limit : common)
+        verb.add_option_function<std::string>(
+                "--" + limit.key,
+                [asked, key = limit.key](const std::string& value) {
+                    asked->limits.push_back(key + "=" + value);
+                },
+                limit.says)
+            ->type_name(limit.type);
+    verb.add_option(
+            "--limit", asked->limits,
+            "a limit by its key: share mean off_edges density ssim flip rms largest hausdorff; may be "
+            "given again")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb.add_option("--ignore", asked->ignore, "a rectangle of pixels not to look at; may be given again")
+        ->type_name("X,Y,W,H")
+        ->allow_extra_args(false);
+    verb.add_flag("--perceptual", asked->perceptual, "SSIM and FLIP of pictures that differ as well");
+    verb.add_flag("--hausdorff", asked->hausdorff, "Hausdorff's distance of caches that differ as well");
     verb.add_option("--json", asked->json, "write what was found to this file")->type_name("FILE");
+    verb.add_option("--junit", asked->junit, "the same as JUnit XML, for continuous integration")
+        ->type_name("FILE");
     verb.add_flag("--quiet", asked->quiet, "print nothing but errors");
     return [asked] { return compare_results(*asked); };
 }

@@ -3,6 +3,8 @@
 
 #include "app/verbs.h"
 #include "compare/compare.h"
+#include "compare/comparison_json.h"
+#include "compare/junit.h"
 #include "io/write_file.h"
 
 namespace drape {
@@ -31,12 +33,12 @@ void print(const Comparison& comparison) {
 }  // namespace
 
 Exit compare_results(const CompareRequest& request) {
-    Gate gate;
-    if (request.share_over) gate.share_over = *request.share_over;
-    if (request.mean_levels) gate.mean_levels = *request.mean_levels;
-    if (request.rms) gate.rms_m = *request.rms;
-    const Comparison comparison = compare(request.result, request.reference, gate);
+    Asked asked{.perceptual = request.perceptual, .hausdorff = request.hausdorff};
+    for (const std::string& limit : request.limits) add_limit(asked.limits, limit);
+    for (const std::string& rectangle : request.ignore) asked.ignore.push_back(rectangle_of(rectangle));
+    const Comparison comparison = compare(request.result, request.reference, asked);
     if (!request.json.empty()) write_file(request.json, comparison_json(comparison));
+    if (!request.junit.empty()) write_file(request.junit, junit_report(comparison, request.reference));
     if (!request.quiet) print(comparison);
     return comparison.passed() ? Exit::done : Exit::different;
 }

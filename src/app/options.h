@@ -55,8 +55,10 @@ struct StabilityRequest {
 
 struct CompareRequest {
     std::string result, reference;
-    std::optional<double> share_over, mean_levels, rms;  // none: the gate's own; of pixels, 8-bit levels, [m]
-    std::string json;                                    // a file to write; "" = none
+    std::vector<std::string> limits;  // KEY=VALUE, keys as compare/metrics.h has them
+    std::vector<std::string> ignore;  // X,Y,W,H
+    bool perceptual = false, hausdorff = false;
+    std::string json, junit, html;  // files to write; "" = none
     bool quiet = false;
 };
 

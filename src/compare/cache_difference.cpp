@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/assert.h"
+#include "compare/hausdorff.h"
 
 namespace drape {
 
@@ -34,12 +35,20 @@ CacheDifference cache_difference(const Cache& cache, const Cache& reference) {
         }
         if (sum > 0 && worst.from < 0) worst.from = static_cast<int>(s);
         const double rms = x.cols() > 0 ? std::sqrt(sum / static_cast<double>(x.cols())) : 0;
+        worst.rms_each.push_back(rms);
         if (rms > worst.rms_m) {
             worst.rms_m = rms;
             worst.sample = static_cast<int>(s);
         }
     }
     return worst;
+}
+
+double largest_hausdorff(const Cache& cache, const Cache& reference) {
+    double most = 0;
+    for (size_t s = 0; s < std::min(cache.samples.size(), reference.samples.size()); ++s)
+        most = std::max(most, hausdorff_distance(cache.samples[s], reference.samples[s]));
+    return most;
 }
 
 }  // namespace drape

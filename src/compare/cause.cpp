@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "compare/compare.h"
+#include "compare/compared.h"
 
 namespace drape {
 

@@ -60,6 +60,10 @@ TEST_CASE("wrong usage is one line and exit 2", "[app]") {
         {{"video", ".", "-o", "x.mp4", "--loop", "0"}, "--loop"},
         {{"video", ".", "-o", "x.mp4", "--difference"}, "--difference: only with --side-by-side"},
         {{"video", ".", "-o", "x.mp4", "--label", "a", "--label", "b"}, "--label: given 2 times for 1"},
+        {{"compare", ".", ".", "--ignore", "1,2,3"}, "--ignore 1,2,3: expected X,Y,W,H in pixels"},
+        {{"compare", ".", ".", "--limit", "flpi=1"}, "did you mean \"flip\"?"},
+        {{"compare", ".", ".", "--share", "2"}, "share: expected a number from 0 to 1, found \"2\""},
+        {{"compare", "nowhere", "."}, "nowhere: no such file or folder"},
         {{"list", "methds"}, "did you mean \"methods\"?"},
     };
     for (const auto& c : cases) {

@@ -9,7 +9,7 @@ TEST_CASE("text cannot leave an element or an attribute", "[base]") {
 }
 
 TEST_CASE("what XML allows nowhere becomes a question mark", "[base]") {
-    CHECK(escaped(std::string("a\0b\x01\x1b[31m\x7f", 9)) == "a?b??[31m?");
+    CHECK(escaped(std::string("a\0b\x01\x1b[31m\x7f", 10)) == "a?b??[31m?");
     CHECK(escaped("two\tlines\n") == "two\tlines\n");
     CHECK(escaped("caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\xa7\xb5") ==
           "caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\xa7\xb5");

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "compare/comparison_json.h"
 #include "io/png.h"
 #include "io/write_file.h"
 #include "support/meshes.h"
@@ -115,11 +116,61 @@ TEST_CASE("caches pass within rounding and tell a moved light from a changed sim
     comparison = compare(ours.path(), wanted.path(), {});
     CHECK(comparison.count(Verdict::different) == 2);
     CHECK(cause_of(comparison).find("from sample 2") != std::string::npos);
-    CHECK(compare(ours.file("cloth.pc2"), wanted.file("cloth.pc2"), {.rms_m = 2e-3}).passed());
+    CHECK(compare(ours.file("cloth.pc2"), wanted.file("cloth.pc2"), {.limits = {{"rms", 2e-3}}}).passed());
 
     write_cache(ours.file("cloth.pc2"), {1.0F, 0.9F});
     comparison = compare(ours.path(), wanted.path(), {});
     CHECK(comparison.files.at(0).why.find("2 samples instead of 3") != std::string::npos);
+}
+
+TEST_CASE("limits come from compare.toml beside the references, for one file, and before all from who asks",
+          "[compare]") {
+    const TemporaryFolder ours, wanted;
+    Image dim = grey();
+    for (auto& level : dim.rgb) level = 98;
+    for (const char* name : {"frame_0001.png", "frame_0002.png"}) {
+        write_picture(ours.file(name), dim);
+        write_picture(wanted.file(name), grey());
+    }
+    const auto passed = [&](const Asked& asked) {
+        std::string verdicts;
+        for (const Compared& file : compare(ours.path(), wanted.path(), asked).files)
+            verdicts += file.passed() ? 'y' : 'n';
+        return verdicts;
+    };
+    CHECK(passed({}) == "nn");
+    write_file(wanted.file("compare.toml"), "mean = 2\n[file.\"frame_0002.png\"]\nmean = 1\n");
+    CHECK(passed({}) == "yn");
+    CHECK(passed({.limits = {{"mean", 3}}}) == "yy");
+    CHECK(passed({.limits = {{"mean", 3}, {"flip", 1e-3}}}) == "nn");
+    CHECK(compare(ours.file("frame_0001.png"), wanted.file("frame_0002.png"), {}).passed() == false);
+    write_file(wanted.file("compare.toml"), "[file.\"frame_0003.png\"]\nmean = 1\n");
+    CHECK(error_of([&] {
+              passed({});
+          }).find("compare.toml:1:7: unknown file \"frame_0003.png\"; did you mean") != std::string::npos);
+}
+
+TEST_CASE("what is ignored does not count, and perception is told where it is asked for", "[compare]") {
+    const TemporaryFolder folder;
+    Image stamped = grey();
+    for (int x = 10; x < 60; ++x) stamped.pixel(x, 5)[0] = 255;
+    write_picture(folder.file("reference.png"), grey());
+    write_picture(folder.file("stamped.png"), stamped);
+    const auto one = [&](const Asked& asked) {
+        return compare(folder.file("stamped.png"), folder.file("reference.png"), asked).files.at(0);
+    };
+    CHECK(one({}).verdict == Verdict::different);
+    CHECK_FALSE(one({}).perceived);
+    CHECK(one({.ignore = {{10, 5, 50, 1}}}).verdict == Verdict::identical);
+    CHECK(one({.ignore = {{10, 5, 40, 1}}}).verdict == Verdict::different);
+    const Compared seen = one({.perceptual = true});
+    REQUIRE(seen.perceived);
+    CHECK(seen.perceived->ssim < 1);
+    CHECK(seen.perceived->flip > 0);
+    CHECK(seen.why.find("% of pixels over 8 levels (at most 0.002 %)") != std::string::npos);
+    CHECK(error_of([&] {
+              one({.ignore = {{400, 0, 1, 1}}});
+          }).find("reference.png: to be ignored: 400,0,1,1: outside") != std::string::npos);
 }
 
 TEST_CASE("what cannot be compared is one line", "[compare]") {

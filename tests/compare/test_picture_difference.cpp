@@ -15,4 +15,8 @@ TEST_CASE("a pixel counts as off where any channel is more than 8 levels away", 
     const PictureDifference apart = picture_difference(picture, reference);
     CHECK(apart.share_over == Approx(0.02));
     CHECK(apart.mean_levels == Approx((9 + 255 + 255) / 300.0));
+    CHECK(apart.density == Approx(0.02));
+    CHECK(apart.histogram[0] == 98);
+    CHECK(apart.histogram[9] == 1);
+    CHECK(apart.histogram[255] == 1);
 }
