@@ -212,6 +212,9 @@ Action declare_compare(CLI::App& verb) {
     verb.add_flag("--perceptual", asked->perceptual, "SSIM and FLIP of pictures that differ as well");
     verb.add_flag("--hausdorff", asked->hausdorff, "Hausdorff's distance of caches that differ as well");
     verb.add_option("--json", asked->json, "write what was found to this file")->type_name("FILE");
+    verb.add_option("--html", asked->html, "the same as a page with the pictures, which needs no other file")
+        ->type_name("FILE");
+    verb.add_flag("--accept", asked->accept, "make the results the references where they differ");
     verb.add_option("--junit", asked->junit, "the same as JUnit XML, for continuous integration")
         ->type_name("FILE");
     verb.add_flag("--quiet", asked->quiet, "print nothing but errors");

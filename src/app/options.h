@@ -58,6 +58,7 @@ struct CompareRequest {
     std::vector<std::string> limits;  // KEY=VALUE, keys as compare/metrics.h has them
     std::vector<std::string> ignore;  // X,Y,W,H
     bool perceptual = false, hausdorff = false;
+    bool accept = false;            // make the results the references
     std::string json, junit, html;  // files to write; "" = none
     bool quiet = false;
 };

@@ -158,7 +158,7 @@ Comparison folders(const std::string& result, const std::string& reference, cons
     for (const LimitFile::Special& special : limits.special)
         if (!all.contains(special.file))
             fail(special.place, unknown_name("file", special.file, {all.begin(), all.end()}));
-    Comparison comparison;
+    Comparison comparison{{}, rules_for("", limits, asked).limits};
     for (const std::string& name : all) {
         if (ours.contains(name) && wanted.contains(name))
             comparison.files.push_back(files(name, (fs::path(result) / name).string(),
@@ -190,7 +190,8 @@ Comparison compare(const std::string& result, const std::string& reference, cons
         throw Error(cat(result, " and ", reference, ": a picture against a cache (two of a kind)"));
     const std::string name = fs::path(result).filename().string();
     const std::string wanted = fs::path(reference).filename().string();
-    return {{files(name, result, reference, rules_for(wanted, limits, asked))}};
+    const Rules rules = rules_for(wanted, limits, asked);
+    return {{files(name, result, reference, rules)}, rules.limits};
 }
 
 ComparedPaths paths_of(const Compared& file, const std::string& result, const std::string& reference,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/cache_difference.h"
+#include "compare/limits.h"
 #include "compare/picture_difference.h"
 
 namespace drape {
@@ -34,6 +35,7 @@ struct Compared {
 
 struct Comparison {
     std::vector<Compared> files;  // by name
+    Limits limits = {};           // of all files that compare.toml does not name
 
     int count(Verdict verdict) const;
     bool passed() const;  // every file is identical or within the limits

@@ -45,7 +45,7 @@ TEST_CASE("compare exits with 0 for the same, 1 for different, 2 for bad input",
     const TwoRuns runs;
     const Ran same = run_drape({"compare", "before", "before"}, runs.folder.path());
     CHECK(same.exit_code == 0);
-    CHECK_THAT(same.out, Catch::Contains("same: 2 identical"));
+    CHECK_THAT(same.out, Catch::Contains("same: 3 identical"));
     const Ran different = runs.compare();
     CHECK(different.exit_code == 1);
     CHECK_THAT(different.out, Catch::Contains("frame_0003.png: added") &&
