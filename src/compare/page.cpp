@@ -111,7 +111,7 @@ std::string article_of(Compared& file, const ShownFrame& frame, const PageReques
     const bool compared = two && file.picture;
     std::string modes = "<button data-mode=\"side\">1 side by side</button>";
     if (two)
-        modes += "<button data-mode=\"slider\">2 slider</button><button data-mode=\"flip\">3 flip</button>";
+        modes += "<button data-mode=\"slider\">2 slider</button><button data-mode=\"blink\">3 blink</button>";
     if (compared)
         modes +=
             "<button data-mode=\"difference\">4 difference x16</button>"
@@ -157,7 +157,7 @@ std::string frames_of(Comparison& comparison, const std::vector<ShownFrame>& sho
     return cat(
         "<h3>Frames</h3>\n", left_out,
         paragraph("Keys: up and down (or k and j) change the frame, 1 to 5 the view, left and right move the "
-                  "slider, space flips. Hovering flips too.",
+                  "slider, space blinks, and so does hovering.",
                   "soft"),
         "<div class=\"frames\"><nav>", links, "</nav>\n<main>\n", articles, "</main></div>\n");
 }

@@ -14,7 +14,7 @@ struct PageRequest {
     std::string made_by;  // the program, with its version
 };
 
-// What failed comes first; each shown frame side by side, under a slider, flipped, as difference and as an
+// What failed comes first; each shown frame side by side, under a slider, blinking, as difference and as an
 // eye sees it. Every name is escaped. Reads the pictures that it shows; throws Error where it cannot.
 std::string comparison_page(Comparison comparison, const PageRequest& request);
 

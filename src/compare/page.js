@@ -74,10 +74,10 @@
     ArrowDown: () => go(here + 1, true), j: () => go(here + 1, true),
     ArrowUp: () => go(here - 1, true), k: () => go(here - 1, true),
     Home: () => go(0, true), End: () => go(frames.length - 1, true),
-    1: () => show('side'), 2: () => show('slider'), 3: () => show('flip'),
+    1: () => show('side'), 2: () => show('slider'), 3: () => show('blink'),
     4: () => show('difference'), 5: () => show('perception'),
     ArrowLeft: () => slide(-2), ArrowRight: () => slide(2),
-    ' ': () => { if (mode !== 'flip') show('flip'); stageOf(frames[here]).classList.toggle('turned'); },
+    ' ': () => { if (mode !== 'blink') show('blink'); stageOf(frames[here]).classList.toggle('turned'); },
   };
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;

@@ -1,45 +1,11 @@
 // compare as its users run it: exit codes, and the files it leaves.
-#include <filesystem>
-
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "compare/pictures.h"
-#include "io/png.h"
-#include "io/write_file.h"
-#include "support/run_program.h"
-#include "support/temporary_folder.h"
+#include "app/two_runs.h"
 
 using namespace drape;
 using namespace drape::test;
-
-namespace {
-
-// Folders "after" and "before" of four frames: one the same, one with a disc elsewhere, one added, one
-// missing.
-struct TwoRuns {
-    TemporaryFolder folder;
-
-    TwoRuns() {
-        for (const char* side : {"after", "before"}) std::filesystem::create_directory(folder.file(side));
-        write("after/frame_0001.png", plain(80, 60));
-        write("before/frame_0001.png", plain(80, 60));
-        write("after/frame_0002.png", disc(80, 60, 45, 30, 15));
-        write("before/frame_0002.png", disc(80, 60, 40, 30, 15));
-        write("after/frame_0003.png", plain(80, 60));
-        write("before/frame_0004.png", plain(80, 60));
-    }
-    void write(const std::string& name, const Image& image) const {
-        write_file(folder.file(name), encode_png(image));
-    }
-    Ran compare(std::vector<std::string> more = {}) const {
-        std::vector<std::string> arguments{"compare", "after", "before"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return run_drape(arguments, folder.path());
-    }
-};
-
-}  // namespace
 
 TEST_CASE("compare exits with 0 for the same, 1 for different, 2 for bad input", "[app]") {
     const TwoRuns runs;
@@ -78,4 +44,14 @@ TEST_CASE("compare's flags reach the limits, and the reports the disk", "[app]")
     CHECK(json["files"][1]["metrics"]["share"] > 0);
     CHECK_THAT(bytes_of(runs.folder.file("out.xml")),
                Catch::Contains("<testsuite name=\"before\" tests=\"4\" failures=\"3\""));
+}
+
+TEST_CASE("compare accepts, and says how", "[app]") {
+    const TwoRuns runs;
+    const Ran before = runs.compare({"--limit", "ssim=0.5", "--ignore", "0,0,2,2"});
+    CHECK_THAT(
+        before.out,
+        Catch::Contains("to accept: drape compare after before --limit ssim=0.5 --ignore 0,0,2,2 --accept"));
+    CHECK(runs.compare({"--accept"}).exit_code == 0);
+    CHECK_THAT(runs.compare().out, Catch::StartsWith("same: 3 identical"));
 }
