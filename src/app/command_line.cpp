@@ -12,6 +12,7 @@
 #include "app/verbs.h"
 #include "app/version.h"
 #include "base/names.h"
+#include "compare/metrics.h"
 
 namespace drape {
 
@@ -200,10 +201,8 @@ Action declare_compare(CLI::App& verb) {
                 },
                 limit.says)
             ->type_name(limit.type);
-    verb.add_option(
-            "--limit", asked->limits,
-            "a limit by its key: share mean off_edges density ssim flip rms largest hausdorff; may be "
-            "given again")
+    verb.add_option("--limit", asked->limits,
+                    cat("a limit by its key (", joined(metric_keys()), "); may be given again"))
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     verb.add_option("--ignore", asked->ignore, "a rectangle of pixels not to look at; may be given again")

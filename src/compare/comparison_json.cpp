@@ -39,7 +39,10 @@ std::string comparison_json(const Comparison& comparison) {
                                   : Json(nullptr);
         files.push_back(std::move(row));
     }
-    const Json whole{{"passed", comparison.passed()}, {"cause", cause_of(comparison)}, {"files", files}};
+    const Json whole{{"passed", comparison.passed()},
+                     {"cause", cause_of(comparison)},
+                     {"limits", comparison.limits},
+                     {"files", files}};
     return whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -7,7 +7,8 @@
 
 namespace drape {
 
-// Stable keys: passed, cause, files [{name, verdict, why, metrics {by metrics.h's keys}, picture {...}, cache
+// Stable keys: passed, cause, limits {by key}, files [{name, verdict, why, metrics {by metrics.h's keys},
+// picture {...}, cache
 // {...}}].
 std::string comparison_json(const Comparison& comparison);
 

@@ -18,13 +18,6 @@ namespace {
 constexpr std::uint64_t most_bytes = 1 << 20;  // of compare.toml
 constexpr int most_pixels = 1 << 20;           // across or down
 
-std::vector<std::string> with_keys(std::vector<std::string> more) {
-    std::vector<std::string> keys;
-    for (const Metric& metric : metrics()) keys.emplace_back(metric.key);
-    keys.insert(keys.end(), more.begin(), more.end());
-    return keys;
-}
-
 Limits limits_in(const Keys& keys) {
     Limits limits;
     for (const Metric& metric : metrics())
@@ -91,7 +84,9 @@ LimitFile read_limits(const std::string& path) {
     LimitFile file;
     if (!std::filesystem::exists(path)) return file;
     const Value root = parse_toml(read_file(path, most_bytes), path);
-    const Keys keys(root, "compare.toml", with_keys({"ignore", "file"}));
+    std::vector<std::string> known = metric_keys();
+    known.insert(known.end(), {"ignore", "file"});
+    const Keys keys(root, "compare.toml", known);
     file.limits = limits_in(keys);
     if (const Value* rectangles = keys.find("ignore"))
         for (const Value& rectangle : as_array(*rectangles, "ignore"))
@@ -102,7 +97,7 @@ LimitFile read_limits(const std::string& path) {
                  description_of(*named));
         for (const Value& one : named->items)
             file.special.push_back(
-                {one.key, one.key_place, limits_in(Keys(one, cat("file.", quoted(one.key)), with_keys({})))});
+                {one.key, one.key_place, limits_in(Keys(one, cat("file.", quoted(one.key)), metric_keys()))});
     }
     return file;
 }

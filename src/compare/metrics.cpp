@@ -97,12 +97,16 @@ std::span<const Metric> metrics() {
     return table;
 }
 
+std::vector<std::string> metric_keys() {
+    std::vector<std::string> keys;
+    for (const Metric& metric : table) keys.emplace_back(metric.key);
+    return keys;
+}
+
 const Metric& metric_of(std::string_view key) {
     for (const Metric& metric : table)
         if (metric.key == key) return metric;
-    std::vector<std::string> keys;
-    for (const Metric& metric : table) keys.emplace_back(metric.key);
-    throw Error(unknown_name("limit", key, keys));
+    throw Error(unknown_name("limit", key, metric_keys()));
 }
 
 bool exceeds(const Metric& metric, double value, double limit) {

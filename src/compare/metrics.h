@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compare/compared.h"
 
@@ -26,6 +27,8 @@ struct Metric {
 
 // Those of pictures first.
 std::span<const Metric> metrics();
+
+std::vector<std::string> metric_keys();
 
 // Throws Error that names the nearest known one.
 const Metric& metric_of(std::string_view key);

@@ -18,7 +18,7 @@ namespace drape {
 
 namespace {
 
-constexpr size_t most_full = 4, most_small = 20, most_passed = 2;
+constexpr size_t most_full = 2, most_small = 12, most_passed = 2;
 constexpr int small_width = 480;                                   // [pixels]
 constexpr std::uint64_t largest_picture = std::uint64_t{1} << 30;  // [bytes]
 
@@ -92,7 +92,9 @@ std::string frame_figures(Compared& file, const ComparedPaths& paths, bool small
     const int factor = factor_for(picture, small);
     figures += figure_of("difference", "difference, times 16",
                          brightest(amplified_difference(picture, reference, 16), factor));
-    return figures + figure_of("perception", "what an eye notices (FLIP)", brightest(heat_map(seen), factor));
+    // the map is blurred as the eye is: half the size shows as much
+    return figures + figure_of("perception", "what an eye notices (FLIP)",
+                               brightest(heat_map(seen), std::max(factor, 2)));
 }
 
 }  // namespace drape

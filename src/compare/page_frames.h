@@ -16,8 +16,8 @@ struct ShownFrame {
     std::string id() const { return cat("f", file); }
 };
 
-// What failed, by name, then the worst of what passed. The first that failed and the three worst are of full
-// size, the 20 next worst small; of what passed without being identical the two worst are shown, small. The
+// What failed, by name, then the worst of what passed. The first that failed and the worst are of full size,
+// the twelve next worst small; of what passed without being identical the two worst are shown, small. The
 // rest is left out.
 std::vector<ShownFrame> shown_frames(const Comparison& comparison);
 

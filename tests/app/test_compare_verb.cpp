@@ -40,6 +40,7 @@ TEST_CASE("compare's flags reach the limits, and the reports the disk", "[app]")
     CHECK(exit_with({"--ignore", "20,10,50,40"}) == 0);
     CHECK(runs.compare({"--perceptual", "--json", "out.json", "--junit", "out.xml"}).exit_code == 1);
     const auto json = nlohmann::json::parse(bytes_of(runs.folder.file("out.json")));
+    CHECK(json["limits"]["mean"] == 2e-3);
     CHECK(json["files"][1]["metrics"]["flip"] > 0);
     CHECK(json["files"][1]["metrics"]["share"] > 0);
     CHECK_THAT(bytes_of(runs.folder.file("out.xml")),

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "support/meshes.h"
+#include "support/temporary_folder.h"
 
 using namespace drape;
 
@@ -46,4 +47,16 @@ TEST_CASE("numbers are written with their unit", "[compare]") {
 
 TEST_CASE("an unknown metric is told with the nearest", "[compare]") {
     CHECK(error_of([] { metric_of("densty"); }).find("did you mean \"density\"?") != std::string::npos);
+}
+
+TEST_CASE("the README and the man page know every metric", "[compare]") {
+    const std::string source = DRAPE_SOURCE_DIR;
+    const std::string readme = bytes_of(source + "/README.md"), man = bytes_of(source + "/src/app/drape.1");
+    for (const Metric& metric : metrics()) {
+        const std::string key(metric.key);
+        CHECK_THAT(readme, Catch::Contains("| `" + key + "` |"));
+        CHECK_THAT(man, Catch::Contains("\\fI" + key + "\\fR"));
+        if (!metric.asked_by.empty())
+            CHECK_THAT(readme, Catch::Contains("`" + std::string(metric.asked_by) + "`"));
+    }
 }
