@@ -52,7 +52,11 @@
   }
 
   frames.forEach(frame => {
-    frame.querySelectorAll('button').forEach(button => button.addEventListener('click', () => show(button.dataset.mode)));
+    frame.querySelectorAll('button').forEach(button => button.addEventListener('click', event => {
+      // after a click with the mouse the space bar is the page's again
+      if (event.detail > 0) button.blur();
+      show(button.dataset.mode);
+    }));
     const slider = sliderOf(frame);
     if (!slider) return;
     slider.addEventListener('input', draw);
@@ -81,6 +85,7 @@
   };
   document.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
+    if (event.key === ' ' && event.target instanceof HTMLButtonElement) return;
     event.preventDefault();
     keys[event.key]();
   });

@@ -24,7 +24,7 @@ window.addEventListener('load', () => {
   const say = (step, what) => lines.push(step + ': ' + what);
   const name = () => article().querySelector('h2').firstChild.textContent.trim();
   const pictures = [...document.querySelectorAll('img')];
-  say('pictures', pictures.length + ', loaded ' + pictures.filter(p => p.complete && p.naturalWidth === 80).length);
+  say('pictures', pictures.length + ', loaded ' + pictures.filter(p => p.complete && p.naturalWidth > 0).length);
   say('articles seen', [...document.querySelectorAll('article')].filter(a => a.getClientRects().length).length);
   say('first', name() + ', ' + visible());
   press('2'); say('slider', visible() + ', ' + cut());

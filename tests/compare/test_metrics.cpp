@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/error.h"
 #include "support/meshes.h"
 #include "support/temporary_folder.h"
 
@@ -53,10 +54,8 @@ TEST_CASE("the README and the man page know every metric", "[compare]") {
     const std::string source = DRAPE_SOURCE_DIR;
     const std::string readme = bytes_of(source + "/README.md"), man = bytes_of(source + "/src/app/drape.1");
     for (const Metric& metric : metrics()) {
-        const std::string key(metric.key);
-        CHECK_THAT(readme, Catch::Contains("| `" + key + "` |"));
-        CHECK_THAT(man, Catch::Contains("\\fI" + key + "\\fR"));
-        if (!metric.asked_by.empty())
-            CHECK_THAT(readme, Catch::Contains("`" + std::string(metric.asked_by) + "`"));
+        CHECK_THAT(readme, Catch::Contains(cat("| `", metric.key, "` |")));
+        CHECK_THAT(man, Catch::Contains(cat("\\fI", metric.key, "\\fR")));
+        if (!metric.asked_by.empty()) CHECK_THAT(readme, Catch::Contains(cat("`", metric.asked_by, "`")));
     }
 }
