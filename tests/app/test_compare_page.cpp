@@ -68,7 +68,7 @@ std::string checked_lines(const std::string& dom) {
 
 }  // namespace
 
-TEST_CASE("a comparison's page works in a browser: slider, views, keys", "[app]") {
+TEST_CASE("a comparison's page works in a browser by slider and views and keys", "[app]") {
     if (skipped_without_browser()) return;
     const TwoRuns runs;
     REQUIRE(runs.compare({"--html", "page.html"}).exit_code == 1);

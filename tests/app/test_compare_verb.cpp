@@ -7,7 +7,7 @@
 using namespace drape;
 using namespace drape::test;
 
-TEST_CASE("compare exits with 0 for the same, 1 for different, 2 for bad input", "[app]") {
+TEST_CASE("compare exits with 0 for the same and 1 for different and 2 for bad input", "[app]") {
     const TwoRuns runs;
     const Ran same = run_drape({"compare", "before", "before"}, runs.folder.path());
     CHECK(same.exit_code == 0);
@@ -27,7 +27,7 @@ TEST_CASE("compare exits with 0 for the same, 1 for different, 2 for bad input",
                    "before/compare.toml:1:1: unknown compare.toml key \"shar\"; did you mean \"share\"?"));
 }
 
-TEST_CASE("compare's flags reach the limits, and the reports the disk", "[app]") {
+TEST_CASE("compare's flags reach the limits and the reports the disk", "[app]") {
     const TwoRuns runs;
     const std::vector<std::string> pair{"compare", "after/frame_0002.png", "before/frame_0002.png"};
     const auto exit_with = [&](std::vector<std::string> more) {
@@ -47,7 +47,7 @@ TEST_CASE("compare's flags reach the limits, and the reports the disk", "[app]")
                Catch::Contains("<testsuite name=\"before\" tests=\"4\" failures=\"3\""));
 }
 
-TEST_CASE("compare accepts, and says how", "[app]") {
+TEST_CASE("compare accepts and says how", "[app]") {
     const TwoRuns runs;
     const Ran before = runs.compare({"--limit", "ssim=0.5", "--ignore", "0,0,2,2"});
     CHECK_THAT(

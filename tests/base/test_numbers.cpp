@@ -6,7 +6,7 @@
 
 using namespace drape;
 
-TEST_CASE("numbers have three figures, and a dash where not known", "[base]") {
+TEST_CASE("numbers have three figures and a dash where not known", "[base]") {
     CHECK(figure(0.012345) == "0.0123");
     CHECK(figure(1.2345e-9) == "1.23e-09");
     CHECK(figure(std::nan("")) == "-");

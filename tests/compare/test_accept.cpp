@@ -12,7 +12,7 @@
 using namespace drape;
 using namespace drape::test;
 
-TEST_CASE("accepting writes what differs, removes what went, and leaves alone what passed", "[compare]") {
+TEST_CASE("accepting writes what differs and removes what went and leaves alone what passed", "[compare]") {
     const TemporaryFolder ours, wanted;
     const auto write = [](const std::string& path, const Image& image) {
         write_file(path, encode_png(image));

@@ -46,7 +46,7 @@ TEST_CASE("a position that is not a number is infinitely far away", "[compare]")
     CHECK(cache_difference(cache, cache).from == -1);
 }
 
-TEST_CASE("Hausdorff's distance is the largest of all samples, for caches of any number of vertices",
+TEST_CASE("Hausdorff's distance is the largest of all samples for caches of any number of vertices",
           "[compare]") {
     const Cache reference = still(3, 4);
     Cache cache = still(3, 6);

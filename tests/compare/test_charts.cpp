@@ -5,7 +5,7 @@
 using namespace drape;
 using Catch::Contains;
 
-TEST_CASE("the first bad frame is marked, bars lead to their frames, names are escaped", "[compare]") {
+TEST_CASE("the first bad frame is marked and bars lead to their frames and names are escaped", "[compare]") {
     const std::string svg = timeline({{"a", 0, "identical"},
                                       {"<b>", 0.5, "0.5 levels", true, "#f1"},
                                       {"c", 5, "5 levels", true},

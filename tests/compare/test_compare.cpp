@@ -123,8 +123,7 @@ TEST_CASE("caches pass within rounding and tell a moved light from a changed sim
     CHECK(comparison.files.at(0).why.find("2 samples instead of 3") != std::string::npos);
 }
 
-TEST_CASE("limits come from compare.toml beside the references, for one file, and before all from who asks",
-          "[compare]") {
+TEST_CASE("limits come from compare.toml beside the references and before that from who asks", "[compare]") {
     const TemporaryFolder ours, wanted;
     Image dim = grey();
     for (auto& level : dim.rgb) level = 98;
@@ -150,7 +149,7 @@ TEST_CASE("limits come from compare.toml beside the references, for one file, an
           }).find("compare.toml:1:7: unknown file \"frame_0003.png\"; did you mean") != std::string::npos);
 }
 
-TEST_CASE("what is ignored does not count, and perception is told where it is asked for", "[compare]") {
+TEST_CASE("what is ignored does not count and perception is told where it is asked for", "[compare]") {
     const TemporaryFolder folder;
     Image stamped = grey();
     for (int x = 10; x < 60; ++x) stamped.pixel(x, 5)[0] = 255;

@@ -8,7 +8,7 @@
 using namespace drape;
 using namespace drape::test;
 
-TEST_CASE("an antialiased edge that moved by half a pixel is explained, one that moved by three is not",
+TEST_CASE("an antialiased edge that moved by half a pixel is explained but not one that moved by three",
           "[compare]") {
     const Image reference = disc(60, 60, 30, 30, 20);
     const PictureDifference near = picture_difference(disc(60, 60, 30.5, 30.2, 20), reference);
@@ -18,7 +18,7 @@ TEST_CASE("an antialiased edge that moved by half a pixel is explained, one that
     CHECK(far.share_off_edges > 0.02);
 }
 
-TEST_CASE("a spot, a line that went away and another shade are no edges that moved", "[compare]") {
+TEST_CASE("a spot and a line that went away and another shade are no edges that moved", "[compare]") {
     const Image ground = plain(20, 20);
     Image spot = ground;
     spot.pixel(10, 10)[0] = 140;

@@ -119,7 +119,7 @@ double plainly(const Image& a, const Image& b, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("FLIP is its formula, pixel by pixel, across tiles and at borders", "[compare]") {
+TEST_CASE("FLIP is its formula pixel by pixel across tiles and at borders", "[compare]") {
     Image reference = disc(90, 50, 60, 25, 18);
     for (int y = 0; y < 50; ++y)
         for (int x = 0; x < 90; ++x) reference.pixel(x, y)[2] = static_cast<std::uint8_t>(2 * x);
@@ -139,7 +139,7 @@ TEST_CASE("FLIP is its formula, pixel by pixel, across tiles and at borders", "[
     CHECK(map.mean() > 0.02);
 }
 
-TEST_CASE("green against blue is the largest error, nothing against itself none", "[compare]") {
+TEST_CASE("green against blue is the largest error and nothing against itself none", "[compare]") {
     Image green(40, 30), blue(40, 30);
     for (int i = 0; i < 40 * 30; ++i)
         green.rgb[static_cast<size_t>(3 * i + 1)] = blue.rgb[static_cast<size_t>(3 * i + 2)] = 255;
@@ -148,7 +148,7 @@ TEST_CASE("green against blue is the largest error, nothing against itself none"
     CHECK(flip(Image(), Image()).mean() == 0);
 }
 
-TEST_CASE("an error is small where the change is, and nothing further than the eye blurs", "[compare]") {
+TEST_CASE("an error reaches no further than the eye blurs", "[compare]") {
     const Image reference = plain(120, 80);
     Image picture = reference;
     picture.pixel(60, 40)[1] = 180;

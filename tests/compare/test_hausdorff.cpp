@@ -27,7 +27,7 @@ double plainly(const Points& a, const Points& b) {
 
 }  // namespace
 
-TEST_CASE("Hausdorff's distance is that of all pairs tried, whichever set is first", "[compare]") {
+TEST_CASE("Hausdorff's distance is that of all pairs tried whichever set is first", "[compare]") {
     const auto seed = GENERATE(1U, 2U, 3U);
     const Points a = random_points(200, seed), b = random_points(150, seed + 10);
     const double expected = std::max(plainly(a, b), plainly(b, a));
@@ -44,7 +44,7 @@ TEST_CASE("Hausdorff's distance does not mind which vertex stands where", "[comp
     CHECK(hausdorff_distance(moved, a) > 2);
 }
 
-TEST_CASE("nothing is infinitely far from something, and so is what is not a number", "[compare]") {
+TEST_CASE("nothing is infinitely far from something and so is what is not a number", "[compare]") {
     const Points none(3, 0);
     Points broken = random_points(5, 6);
     CHECK(hausdorff_distance(none, none) == 0);

@@ -4,7 +4,7 @@
 
 using namespace drape;
 
-TEST_CASE("a map grows brighter with the error, from black", "[compare]") {
+TEST_CASE("a map grows brighter with the error from black on", "[compare]") {
     const Image image = heat_map({5, 1, {0, 0.01F, 0.1F, 0.5F, 1}});
     CHECK(image.rgb[0] + image.rgb[1] + image.rgb[2] == 0);
     for (int x = 1; x < 5; ++x) {
@@ -14,7 +14,7 @@ TEST_CASE("a map grows brighter with the error, from black", "[compare]") {
     CHECK(image.pixel(4, 0)[0] == 255);
 }
 
-TEST_CASE("reduced by the brightest, a single spot stays as bright as it was", "[compare]") {
+TEST_CASE("a single spot stays as bright as it was when a picture is reduced by the brightest", "[compare]") {
     Image image(11, 7);
     image.pixel(10, 6)[1] = 200;
     image.pixel(3, 2)[0] = 90;

@@ -25,7 +25,7 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("compare.toml gives limits for all and for one, with units, and what to ignore", "[compare]") {
+TEST_CASE("compare.toml gives limits with units for all and for one and what to ignore", "[compare]") {
     const LimitFile file = read(
         "share = 1e-4\nssim = 0.98\nrms = \"10 um\"\nignore = [[0, 0, 200, 40], [5, 6, 7, 8]]\n"
         "[file.\"frame_0003.png\"]\nmean = 0.5\n");
@@ -84,7 +84,7 @@ TEST_CASE("a rectangle is four whole numbers", "[compare]") {
         CHECK_THAT(error_of([&] { rectangle_of(text); }), Catch::Contains("expected X,Y,W,H"));
 }
 
-TEST_CASE("nothing differs in what is ignored, and what lies outside is told", "[compare]") {
+TEST_CASE("nothing differs in what is ignored and what lies outside is told", "[compare]") {
     const Image reference = plain(20, 10, 50);
     Image picture = plain(20, 10, 90);
     ignore(picture, reference, {{15, 5, 100, 100}});

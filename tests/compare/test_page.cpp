@@ -44,7 +44,7 @@ std::string without_pictures(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("the page is well formed, needs nothing else, and escapes every name", "[compare]") {
+TEST_CASE("the page is well formed and needs nothing else and escapes every name", "[compare]") {
     const TemporaryFolder folder;
     const std::string ours = folder.file("<b>ours & co"), wanted = folder.file("want\"ed");
     std::filesystem::create_directory(ours);
@@ -74,7 +74,7 @@ TEST_CASE("the page is well formed, needs nothing else, and escapes every name",
         CHECK_THAT(text, Contains(section));
 }
 
-TEST_CASE("a page of caches draws their samples, one of the same results has nothing to accept",
+TEST_CASE("a page of caches draws their samples and one of the same results has nothing to accept",
           "[compare]") {
     Comparison comparison{
         {{.name = "cloth.pc2",

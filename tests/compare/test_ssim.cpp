@@ -41,7 +41,7 @@ double plainly(const Image& a, const Image& b, int x, int y) {
 
 }  // namespace
 
-TEST_CASE("structural similarity is its formula, pixel by pixel", "[compare]") {
+TEST_CASE("structural similarity is its formula pixel by pixel", "[compare]") {
     const Image a = random_picture(70, 30, 1);
     Image b = a;
     for (int y = 5; y < 20; ++y)
@@ -53,8 +53,9 @@ TEST_CASE("structural similarity is its formula, pixel by pixel", "[compare]") {
     CHECK(ssim(a, b) < 0.96);
 }
 
-TEST_CASE("the same picture is as similar as can be, an unlike one not at all, a dimmer one hardly less",
-          "[compare]") {
+TEST_CASE(
+    "the same picture is as similar as can be and an unlike one not at all and a dimmer one hardly less",
+    "[compare]") {
     const Image a = random_picture(64, 64, 2);
     CHECK(ssim(a, a) == 1);
     CHECK(std::abs(ssim(a, random_picture(64, 64, 3))) < 0.2);

@@ -7,7 +7,7 @@
 using namespace drape;
 using namespace drape::test;
 
-TEST_CASE("tiles are those within reach of a pixel that differs, and cover the picture where all do",
+TEST_CASE("tiles are those within reach of a pixel that differs and cover the picture where all do",
           "[compare]") {
     const Image reference = plain(150, 100);
     Image picture = reference;

@@ -27,7 +27,7 @@ Opponent of_pixel(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
 
 }  // namespace
 
-TEST_CASE("greys have no hue, and black and white are the ends of lightness", "[compare]") {
+TEST_CASE("greys have no hue and black and white are the ends of lightness", "[compare]") {
     for (const int level : {0, 40, 128, 255}) {
         CAPTURE(level);
         const auto v = static_cast<std::uint8_t>(level);
