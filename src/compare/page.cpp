@@ -45,6 +45,11 @@ std::string head_of(const Comparison& comparison, const PageRequest& request) {
     return head;
 }
 
+std::optional<double> limit_of(const Comparison& comparison, const Metric& metric) {
+    const auto limit = comparison.limits.find(metric.key);
+    return limit == comparison.limits.end() ? std::nullopt : std::optional(limit->second);
+}
+
 std::string frame_timeline(const Comparison& comparison, const std::vector<ShownFrame>& shown) {
     const Metric& mean = metric_of("mean");
     std::vector<Mark> marks;
@@ -60,21 +65,19 @@ std::string frame_timeline(const Comparison& comparison, const std::vector<Shown
         marks.push_back(std::move(mark));
     }
     if (marks.size() < 2) return "";
-    const auto limit = comparison.limits.find(mean.key);
     const std::string what = "Mean difference of each frame, in levels";
-    return cat(
-        "<h3>", what, "</h3>\n<div class=\"chart\">",
-        timeline(marks, limit == comparison.limits.end() ? std::nullopt : std::optional(limit->second), what),
-        "</div>\n",
-        paragraph(
-            "On a scale of decades; red did not pass, a pale bar has a frame on one side only, the dashed "
-            "line is the limit. A bar leads to its frame where that is shown below.",
-            "soft"));
+    return cat("<h3>", what, "</h3>\n<div class=\"chart\">",
+               timeline(marks, limit_of(comparison, mean), what), "</div>\n",
+               paragraph("On a scale of decades. Red did not pass; what is pale could not be measured, since "
+                         "one side lacks it or "
+                         "has another size; the dashed line is the limit. A bar leads to its frame where "
+                         "that is shown below.",
+                         "soft"));
 }
 
 std::string cache_timelines(const Comparison& comparison) {
     const Metric& rms = metric_of("rms");
-    const auto limit = comparison.limits.find(rms.key);
+    const std::optional<double> limit = limit_of(comparison, rms);
     std::string charts;
     for (const Compared& file : comparison.files) {
         if (!file.cache || file.cache->rms_each.size() < 2) continue;
@@ -84,14 +87,11 @@ std::string cache_timelines(const Comparison& comparison) {
             marks.push_back({.name = cat("sample ", s),
                              .value = value,
                              .text = metric_text(rms, value),
-                             .bad = limit != comparison.limits.end() && exceeds(rms, value, limit->second)});
+                             .bad = limit && exceeds(rms, value, *limit)});
         }
         const std::string what = cat("Positions of ", file.name, ", RMS of each sample in metres");
-        charts += cat(
-            "<h3>", escaped(what), "</h3>\n<div class=\"chart\">",
-            timeline(marks, limit == comparison.limits.end() ? std::nullopt : std::optional(limit->second),
-                     what),
-            "</div>\n");
+        charts += cat("<h3>", escaped(what), "</h3>\n<div class=\"chart\">", timeline(marks, limit, what),
+                      "</div>\n");
     }
     return charts;
 }
@@ -196,12 +196,12 @@ std::string limits_of(const Comparison& comparison) {
         "class=\"wide\"><table>\n<thead><tr><th>key</th><th>"
         "limit</th><th>it is</th></tr></thead>\n<tbody>\n";
     for (const Metric& metric : metrics()) {
-        const auto limit = comparison.limits.find(metric.key);
-        table += cat("<tr>", cell(std::string(metric.key)),
-                     cell(limit == comparison.limits.end() ? "told, not judged"
-                                                           : cat(metric.at_least ? "at least " : "at most ",
-                                                                 metric_text(metric, limit->second))),
-                     cell(std::string(metric.says)), "</tr>\n");
+        const std::optional<double> limit = limit_of(comparison, metric);
+        table +=
+            cat("<tr>", cell(std::string(metric.key)),
+                cell(!limit ? "told, not judged"
+                            : cat(metric.at_least ? "at least " : "at most ", metric_text(metric, *limit))),
+                cell(std::string(metric.says)), "</tr>\n");
     }
     return table + "</tbody></table></div>\n" +
            paragraph("Limits come from compare.toml beside the references and from the command line.",
