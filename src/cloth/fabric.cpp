@@ -19,6 +19,7 @@ constexpr Fabric from_table(double density, double thickness_mm, double modulus_
     fabric.stretch_model = StretchModel::membrane;
     fabric.stretch = modulus * t;
     fabric.altitude = AltitudeMode::blend;
+    fabric.membrane_poisson = poisson;
     fabric.bending_kind = BendingKind::plate;
     fabric.bending = modulus * t * t * t / (12 * (1 - poisson * poisson));
     fabric.poisson = poisson;

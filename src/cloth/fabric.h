@@ -18,6 +18,13 @@ enum class StretchModel { force_per_strain, spring_constant, membrane };
 
 enum class AltitudeMode { none, all, shortest, compressed, blend };
 
+// What resists stretch and shear: springs along edges and altitudes, or finite elements (force/membrane.h),
+// which take StretchModel::membrane alone.
+//   none         springs
+//   stvk         St. Venant-Kirchhoff: linear in Green's strain, weak under strong compression
+//   neo_hookean  resists compression to the end
+enum class MembraneKind { none, stvk, neo_hookean };
+
 //   plate   quadratic fit over a triangle and its neighbours; exact for quadratic surfaces on every mesh
 //   hinge   dihedral angle against its rest angle, per inner edge
 //   spring  a plain spring between the corners opposite an inner edge
@@ -31,6 +38,8 @@ struct Fabric {
     AltitudeMode altitude = AltitudeMode::none;
     double altitude_ratio = 1;        // altitude stiffness over edge stiffness [-]
     double compressed_beyond = 0.25;  // AltitudeMode::compressed resists beyond this fraction [-]
+    MembraneKind membrane = MembraneKind::none;
+    double membrane_poisson = 0.3;  // of finite elements [-]
     BendingKind bending_kind = BendingKind::none;
     double bending =
         0;  // bending rigidity B [N m]; for BendingKind::spring a fraction of the stretch stiffness

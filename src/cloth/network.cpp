@@ -186,7 +186,7 @@ Network build_network(const Mesh& mesh, const Topology& topology, const Fabric& 
     for (int f = 0; f < mesh.triangles(); ++f) {
         const Triangle t(mesh, f);
         for (int k = 0; k < 3; ++k) adjacent_area[static_cast<size_t>(topology.face_edges(k, f))] += t.area;
-        if (fabric.altitude == AltitudeMode::none) continue;
+        if (fabric.altitude == AltitudeMode::none || fabric.membrane != MembraneKind::none) continue;
         TriangleAltitudes altitudes;
         altitudes.rest_height = t.heights;
         for (int k = 0; k < 3; ++k) altitudes.weight[k] = altitude_weight(fabric, t.heights[k], t.area);
@@ -203,6 +203,9 @@ Network build_network(const Mesh& mesh, const Topology& topology, const Fabric& 
         network.calibration = fabric.stretch / network.modulus.mean;
         scale(network, network.modulus, network.calibration);
     }
+    // linear elasticity near rest, whatever the mesh and the direction
+    if (fabric.membrane != MembraneKind::none)
+        network.modulus = {fabric.stretch, fabric.stretch, fabric.stretch, 0, 0};
     if (fabric.bending_kind == BendingKind::spring)
         network.bends = bend_springs(mesh, topology, network, fabric.bending);
     for (std::vector<Spring>* springs : {&network.edges, &network.bends})

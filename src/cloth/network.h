@@ -33,9 +33,12 @@ struct DirectionalModulus {
 };
 
 struct Network {
+    // With a membrane (MembraneKind) no force: then they tell lengths, and how stiff springs in its place
+    // would be.
     std::vector<Spring> edges;
-    std::vector<TriangleAltitudes> altitudes;  // one per triangle; empty for AltitudeMode::none
-    std::vector<Spring> bends;                 // BendingKind::spring only
+    std::vector<TriangleAltitudes>
+        altitudes;              // one per triangle; empty for AltitudeMode::none, or a membrane
+    std::vector<Spring> bends;  // BendingKind::spring only
     DirectionalModulus modulus;
     double calibration =
         1;  // membrane model: factor on Van Gelder's constants so that modulus.mean is as asked

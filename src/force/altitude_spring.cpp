@@ -304,6 +304,8 @@ int AltitudeSprings::feet_outside(In x) const {
 }
 
 MadeForce make_altitude_springs(const Cloth& cloth, const Surroundings&) {
+    if (cloth.fabric.membrane != MembraneKind::none)
+        return {nullptr, "finite elements take their place (membrane)"};
     switch (cloth.fabric.altitude) {
         case AltitudeMode::none:
             return {nullptr, "fabric has altitude mode none"};

@@ -107,6 +107,8 @@ void EdgeSprings::project(WeightedPoints& x, const WeightedPoints& before, doubl
 
 MadeForce make_edge_springs(const Cloth& cloth, const Surroundings&) {
     if (cloth.network.edges.empty()) return {nullptr, "no edges"};
+    if (cloth.fabric.membrane != MembraneKind::none)
+        return {nullptr, "finite elements take their place (membrane)"};
     if (cloth.fabric.stretch == 0) return {nullptr, "stretch is 0"};
     return {std::make_unique<EdgeSprings>(cloth.network.edges, cloth.first), "along every mesh edge"};
 }

@@ -28,6 +28,12 @@ inline constexpr std::array altitude_words{
     Word<AltitudeMode>{"blend", AltitudeMode::blend},
 };
 
+inline constexpr std::array membrane_words{
+    Word<MembraneKind>{"none", MembraneKind::none},
+    Word<MembraneKind>{"stvk", MembraneKind::stvk},
+    Word<MembraneKind>{"neo_hookean", MembraneKind::neo_hookean},
+};
+
 inline constexpr std::array bending_words{
     Word<BendingKind>{"none", BendingKind::none},
     Word<BendingKind>{"plate", BendingKind::plate},

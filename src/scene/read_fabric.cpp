@@ -35,6 +35,25 @@ void read_altitude(const Value& value, Fabric& fabric) {
     keys.read("beyond", fabric.compressed_beyond, {.least = 0, .most = 0.99});
 }
 
+constexpr Quantity poisson_ratio{.least = -1, .most = 0.5, .above_least = true};
+
+// membrane = "stvk", or { kind = "stvk", poisson = 0.3 }
+void read_membrane(const Value& value, Fabric& fabric) {
+    if (value.kind == Value::Kind::text) {
+        fabric.membrane = as_kind(value, "membrane", membrane_words).choice;
+    } else {
+        const Keys keys(value, "membrane", {"kind", "poisson"});
+        if (const Value* kind = keys.find("kind"))
+            fabric.membrane = as_kind(*kind, "membrane kind", membrane_words).choice;
+        keys.read("poisson", fabric.membrane_poisson, poisson_ratio);
+    }
+    if (fabric.membrane != MembraneKind::none && fabric.stretch_model != StretchModel::membrane)
+        fail(value.place, "membrane \"", word_for(membrane_words, fabric.membrane),
+             "\" stretches by Young's ",
+             "modulus times thickness: stretch model must be \"membrane\" (N/m), not \"",
+             word_for(stretch_words, fabric.stretch_model), "\"");
+}
+
 // bending = 0, a number, or { kind = "plate", value = 1e-5, poisson = 0.3 }
 void read_bending(const Value& value, Fabric& fabric) {
     if (value.kind == Value::Kind::table) {
@@ -51,7 +70,7 @@ void read_bending(const Value& value, Fabric& fabric) {
         const bool fraction = fabric.bending_kind == BendingKind::spring;
         if (const Value* number = keys.find("value"))
             fabric.bending = as_number(*number, "bending value", not_negative(fraction ? "" : "N m"));
-        keys.read("poisson", fabric.poisson, {.least = -1, .most = 0.5, .above_least = true});
+        keys.read("poisson", fabric.poisson, poisson_ratio);
     } else {
         fabric.bending = as_number(value, "bending", not_negative("N m"));
         if (fabric.bending_kind == BendingKind::none) fabric.bending_kind = BendingKind::plate;
@@ -68,8 +87,9 @@ Fabric read_fabric(const Value& value, std::string& preset) {
         preset = value.text;
         return as_kind(value, "fabric", fabric_presets()).fabric;
     }
-    const Keys keys(value, "fabric",
-                    {"preset", "density", "thickness", "stretch", "altitude", "bending", "damping"});
+    const Keys keys(
+        value, "fabric",
+        {"preset", "density", "thickness", "stretch", "altitude", "membrane", "bending", "damping"});
     Fabric fabric;
     if (const Value* name = keys.find("preset")) {
         fabric = as_kind(*name, "fabric", fabric_presets()).fabric;
@@ -79,6 +99,7 @@ Fabric read_fabric(const Value& value, std::string& preset) {
     keys.read("thickness", fabric.thickness, positive("m"));
     if (const Value* stretch = keys.find("stretch")) read_stretch(*stretch, fabric);
     if (const Value* altitude = keys.find("altitude")) read_altitude(*altitude, fabric);
+    if (const Value* membrane = keys.find("membrane")) read_membrane(*membrane, fabric);
     if (const Value* bending = keys.find("bending")) read_bending(*bending, fabric);
     keys.read("damping", fabric.damping, not_negative());
     return fabric;

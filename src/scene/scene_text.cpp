@@ -81,6 +81,8 @@ std::string toml(const Fabric& fabric, const std::string& preset) {
     text +=
         cat(", altitude = { mode = ", toml(word_for(altitude_words, fabric.altitude)),
             ", ratio = ", toml(fabric.altitude_ratio), ", beyond = ", toml(fabric.compressed_beyond), " }");
+    text += cat(", membrane = { kind = ", toml(word_for(membrane_words, fabric.membrane)),
+                ", poisson = ", toml(fabric.membrane_poisson), " }");
     text += cat(", bending = { kind = ", toml(word_for(bending_words, fabric.bending_kind)),
                 ", value = ", toml(fabric.bending), ", poisson = ", toml(fabric.poisson), " }");
     return text + cat(", damping = ", toml(fabric.damping), " }");

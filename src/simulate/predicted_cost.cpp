@@ -13,12 +13,15 @@ constexpr double per_vertex = 12;        // kick, drift, mass
 constexpr double per_spring = 7;         // edge or bend
 constexpr double per_triangle_one = 14;  // one altitude or the blend
 constexpr double per_triangle_all = 90;
+constexpr double per_triangle_stvk = 10;
+constexpr double per_triangle_neo_hookean = 14;
 constexpr double per_plate_entry = 1.6;  // of the bending matrix, some 31 a vertex
 constexpr double per_hinge = 90;
 constexpr double per_wind_triangle = 25;
 constexpr double plate_entries = 31;
 constexpr double per_projection = 10;           // of a spring
 constexpr double per_triangle_projection = 30;  // of altitudes
+constexpr double per_membrane_projection = 130;
 // A factorisation of the step matrix grows faster than its n vertices: measured in sweeps 129 to 174 at 33 x
 // 33 vertices, 333 to 611 at 65 x 65.
 constexpr double factorisation_growth = 0.75;
@@ -27,8 +30,13 @@ constexpr double factorisations_a_solve = 3;
 double sweep_nanoseconds(const Cloth& cloth, bool windy) {
     const auto triangles = static_cast<double>(cloth.mesh.triangles());
     const auto edges = static_cast<double>(cloth.network.edges.size());
-    double sum = per_vertex * cloth.vertices() + per_spring * edges;
-    if (cloth.fabric.altitude == AltitudeMode::blend)
+    double sum = per_vertex * cloth.vertices();
+    if (cloth.fabric.membrane == MembraneKind::none) sum += per_spring * edges;
+    if (cloth.fabric.membrane == MembraneKind::stvk)
+        sum += per_triangle_stvk * triangles;
+    else if (cloth.fabric.membrane == MembraneKind::neo_hookean)
+        sum += per_triangle_neo_hookean * triangles;
+    else if (cloth.fabric.altitude == AltitudeMode::blend)
         sum += per_triangle_one * triangles;
     else if (cloth.fabric.altitude != AltitudeMode::none)
         sum += per_triangle_all * triangles;
@@ -41,10 +49,11 @@ double sweep_nanoseconds(const Cloth& cloth, bool windy) {
 }
 
 double projection_nanoseconds(const Cloth& cloth) {
-    double sum =
-        per_projection * static_cast<double>(cloth.network.edges.size() + cloth.network.bends.size());
-    if (cloth.fabric.altitude != AltitudeMode::none)
-        sum += per_triangle_projection * static_cast<double>(cloth.mesh.triangles());
+    const auto triangles = static_cast<double>(cloth.mesh.triangles());
+    double sum = per_projection * static_cast<double>(cloth.network.bends.size());
+    if (cloth.fabric.membrane != MembraneKind::none) return sum + per_membrane_projection * triangles;
+    sum += per_projection * static_cast<double>(cloth.network.edges.size());
+    if (cloth.fabric.altitude != AltitudeMode::none) sum += per_triangle_projection * triangles;
     return sum;
 }
 

@@ -7,6 +7,7 @@
 #include "base/padded.h"
 #include "force/blend_sweep.h"
 #include "force/edge_sweep.h"
+#include "force/membrane_sweep.h"
 
 using namespace drape;
 
@@ -67,4 +68,25 @@ int main() {
     f = none;
     const double blend_heat = blend.push_damped(x, v, f);
     print("damped blend", blend_heat, f);
+
+    std::vector<MembraneElement> elements;
+    for (size_t i = 0; i < corner[0].size(); ++i) {
+        MembraneElement element;
+        element.corner = {corner[0][i], corner[1][i], corner[2][i]};
+        element.area = 0.5;
+        element.squared << 2, 1, 1;
+        element.trace << 0.1, 0.9, 1.1;
+        element.coupling << 3, 0.5, 0.4, 0.5, 4, -0.3, 0.4, -0.3, 5;
+        element.relaxation = 0.07;
+        elements.push_back(element);
+    }
+    for (const MembraneKind kind : {MembraneKind::stvk, MembraneKind::neo_hookean}) {
+        const MembraneSweep membrane(elements, kind, {3, 1, 4});
+        f = none;
+        membrane.push(x, f);
+        print("membrane", 0, f);
+        f = none;
+        const double heat = membrane.push_damped(x, v, f);
+        print("damped membrane", heat, f);
+    }
 }

@@ -7,6 +7,7 @@
 #include "force/edge_spring.h"
 #include "support/altitudes.h"
 #include "support/forces.h"
+#include "support/membranes.h"
 
 using namespace drape;
 using namespace drape::test;
@@ -26,6 +27,11 @@ std::vector<std::pair<std::string, Fabric>> every_fabric() {
     fabrics.emplace_back("bend springs", bare_springs(20));
     fabrics.back().second.bending_kind = BendingKind::spring;
     fabrics.back().second.bending = 0.1;
+    for (const auto& [name, kind] :
+         {std::pair{"stvk", MembraneKind::stvk}, {"neo_hookean", MembraneKind::neo_hookean}}) {
+        fabrics.emplace_back(name, membrane_fabric(kind, 20));
+        fabrics.back().second.damping = 0.3;
+    }
     return fabrics;
 }
 
@@ -49,7 +55,8 @@ void for_each_force(const std::function<void(const std::string&, Force&, const C
     for (const auto& [name, fabric] : every_fabric()) {
         const Cloth cloth = make_cloth(jittered_square(4, "alternating", 0.2), fabric);
         const auto forces = projecting_forces(cloth);
-        CHECK(forces.size() == 2);  // edges and the one that it is named for
+        // edges and the one that it is named for, or a membrane alone
+        CHECK(forces.size() == (fabric.membrane == MembraneKind::none ? 2 : 1));
         for (const auto& force : forces) check(name, *force, cloth);
     }
 }
@@ -114,6 +121,16 @@ TEST_CASE("springs and triangles without direction are left where they are", "[f
             WeightedPoints y = weighted(collapsed, cloth.mass.cwiseInverse());
             const WeightedPoints before = y;
             force->project(y, before, 0.01);
+            CHECK(y.allFinite());
+        }
+    }
+    for (const MembraneKind kind : membrane_kinds) {
+        const Cloth cloth = make_cloth(scalene_triangle(), membrane_fabric(kind, 20));
+        Membrane membrane(cloth);
+        for (const Points& collapsed : collapsed_triangles()) {
+            WeightedPoints y = weighted(collapsed, cloth.mass.cwiseInverse());
+            const WeightedPoints before = y;
+            membrane.project(y, before, 0.01);
             CHECK(y.allFinite());
         }
     }

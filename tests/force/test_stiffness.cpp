@@ -31,17 +31,6 @@ struct Bent {
     }
 };
 
-// A majorant as a matrix of all coordinates.
-Eigen::MatrixXd dense(const Majorant& majorant, Eigen::Index vertices) {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * vertices, 3 * vertices);
-    for (const auto& entry : majorant.entries()) {
-        const Eigen::Index i = 3 * entry.row(), j = 3 * entry.col();
-        matrix.block<3, 3>(i, j).diagonal().array() += entry.value();
-        if (i != j) matrix.block<3, 3>(j, i).diagonal().array() += entry.value();
-    }
-    return matrix;
-}
-
 // Of upper - lower, over the size of upper.
 double least_eigenvalue(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& lower) {
     return eigenvalues(upper - lower).minCoeff() / std::max(upper.norm(), 1e-12);

@@ -58,6 +58,9 @@ TEST_CASE("a table fabric over a preset changes what it names and nothing else",
     CHECK(cloth.fabric.density == cotton.density);
     CHECK(cloth.fabric.stretch == cotton.stretch);
     CHECK(cloth.fabric.altitude == cotton.altitude);
+    // one ratio is told of both
+    CHECK(cotton.membrane == MembraneKind::none);
+    CHECK(cotton.membrane_poisson == cotton.poisson);
     CHECK(fabric_of("{ preset = \"cotton\", bending = 1e-5 }").bending_kind == cotton.bending_kind);
     CHECK(fabric_error("{ preset = \"cottn\" }")
               .starts_with("scene.toml:4:21: unknown fabric \"cottn\"; did you"));
@@ -73,6 +76,13 @@ TEST_CASE("each choice of a fabric reads by its word", "[scene]") {
     CHECK(fabric_of("{ altitude = { mode = \"compressed\", beyond = 0.1 } }").compressed_beyond == 0.1);
     CHECK(fabric_of("{ altitude = \"blend\" }").altitude == AltitudeMode::blend);
     CHECK(fabric_of("{ altitude = \"none\" }").altitude == AltitudeMode::none);
+    CHECK(fabric_of("{ membrane = \"stvk\" }").membrane == MembraneKind::stvk);
+    CHECK(fabric_of("{ membrane = { kind = \"neo_hookean\", poisson = 0.1 } }").membrane ==
+          MembraneKind::neo_hookean);
+    CHECK(fabric_of("{ membrane = { kind = \"neo_hookean\", poisson = 0.1 } }").membrane_poisson == 0.1);
+    CHECK(
+        fabric_of("{ membrane = \"none\", stretch = { model = \"spring_constant\", value = 5 } }").membrane ==
+        MembraneKind::none);
     CHECK(fabric_of("{ bending = { kind = \"hinge\", value = 1e-5 } }").bending_kind == BendingKind::hinge);
     CHECK(fabric_of("{ bending = { kind = \"spring\", value = 0.01 } }").bending_kind == BendingKind::spring);
     CHECK(fabric_of("{ bending = { value = 1e-5, poisson = 0.5 } }").bending_kind == BendingKind::plate);
@@ -105,6 +115,20 @@ TEST_CASE("impossible fabrics are refused at their place", "[scene]") {
     CHECK(fabric_error("{ altitude = { ratio = 0 } }") == "scene.toml:4:33: ratio must be positive, got 0");
     CHECK(fabric_error("{ altitude = { beyond = 1 } }") ==
           "scene.toml:4:34: beyond must be from 0 to 0.99, got 1");
+    CHECK(fabric_error("{ membrane = \"neo_hookian\" }") ==
+          "scene.toml:4:23: unknown membrane \"neo_hookian\"; did you mean \"neo_hookean\"? (known: none, "
+          "stvk, "
+          "neo_hookean)");
+    CHECK(fabric_error("{ membrane = { kind = \"fem\" } }")
+              .starts_with("scene.toml:4:32: unknown membrane kind"));
+    CHECK(fabric_error("{ membrane = { kind = \"stvk\", poisson = 0.6 } }") ==
+          "scene.toml:4:50: poisson must be above -1 and at most 0.5, got 0.6");
+    CHECK(fabric_error("{ membrane = 1 }") ==
+          "scene.toml:4:23: membrane: expected a table, found the integer 1");
+    CHECK(fabric_error("{ stretch = { model = \"spring_constant\", value = 5 }, membrane = \"stvk\" }") ==
+          "scene.toml:4:77: membrane \"stvk\" stretches by Young's modulus times thickness: stretch model "
+          "must be "
+          "\"membrane\" (N/m), not \"spring_constant\"");
     CHECK(fabric_error("{ bending = { value = 1e-5, poisson = 0.6 } }") ==
           "scene.toml:4:48: poisson must be above -1 and at most 0.5, got 0.6");
     CHECK(fabric_error("{ bending = { value = 1e-5, poisson = -1 } }") ==

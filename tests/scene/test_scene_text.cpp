@@ -26,7 +26,7 @@ pins = [{ near = [0, 1, 0], within = "2 cm" }, { box = [[1, 1, 1], [0, 0, 0]], r
 colour = { stripe = "#010203" }
 [[cloth]]
 pattern = { name = "one_way", size = [0.3, 0.7], divisions = [3, 7] }
-fabric = { bending = { kind = "spring", value = 0.1 }, altitude = "compressed", damping = 0.3 }
+fabric = { bending = { kind = "spring", value = 0.1 }, altitude = "compressed", damping = 0.3, membrane = { kind = "stvk", poisson = 0.21 } }
 stripes = false
 [[obstacle]]
 shape = "plane"

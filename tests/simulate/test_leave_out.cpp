@@ -49,7 +49,7 @@ TEST_CASE("bare springs under gravity are two forces and nothing else", "[simula
     CHECK(forces[0].stage == "gravity");
     CHECK(forces[1].stage == "edge springs");
     CHECK(simulation.dynamics().contact() == nullptr);
-    for (const char* stage : {"altitude springs", "bending", "air drag", "wind", "contact"})
+    for (const char* stage : {"altitude springs", "membrane", "bending", "air drag", "wind", "contact"})
         CHECK_FALSE(simulation.plan().uses(stage));
     CHECK(simulation.advance().least_distance == INFINITY);
     CHECK(simulation.dynamics().contact_seconds() == 0);

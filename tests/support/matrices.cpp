@@ -21,6 +21,16 @@ Eigen::MatrixXd dense(const BlockMatrix& matrix, Eigen::Index vertices) {
     return columns;
 }
 
+Eigen::MatrixXd dense(const Majorant& majorant, Eigen::Index vertices) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * vertices, 3 * vertices);
+    for (const auto& entry : majorant.entries()) {
+        const Eigen::Index i = 3 * entry.row(), j = 3 * entry.col();
+        matrix.block<3, 3>(i, j).diagonal().array() += entry.value();
+        if (i != j) matrix.block<3, 3>(j, i).diagonal().array() += entry.value();
+    }
+    return matrix;
+}
+
 Eigen::MatrixXd minus_jacobian(const std::function<Points(In)>& f, Points x, double h, const Model& model) {
     Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(x.size(), x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {

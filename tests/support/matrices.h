@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cloth/block_matrix.h"
+#include "cloth/majorant.h"
 #include "support/gradient.h"
 
 namespace drape::test {
@@ -11,6 +12,9 @@ Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& matrix);
 
 // All 3n rows in the order of the State's columns; zero at pinned vertices.
 Eigen::MatrixXd dense(const BlockMatrix& matrix, Eigen::Index vertices);
+
+// A majorant as a matrix of all coordinates.
+Eigen::MatrixXd dense(const Majorant& majorant, Eigen::Index vertices);
 
 // -df/dx of a map of all coordinates by central differences of fourth order; zero in rows and columns of
 // pinned vertices.

@@ -1,0 +1,92 @@
+// A strip that hangs from its upper edge, stretched by its own weight: membranes against the closed form.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "support/membranes.h"
+#include "support/motion.h"
+#include "support/setups.h"
+
+using namespace drape;
+using namespace drape::test;
+
+namespace {
+
+constexpr double width = 0.05, length = 1, gravity = 9.81, density = 0.2;
+
+// How far the strip's lower edge has come down where all forces balance [m].
+double stretch(const Mesh& mesh, const Fabric& fabric) {
+    std::vector<int> top;
+    for (int v = 0; v < mesh.vertices(); ++v)
+        if (mesh.rest(1, v) > -1e-9) top.push_back(v);
+    Model model = model_of(mesh, fabric);
+    hold(model, top, mesh.rest);
+    Dynamics dynamics(model, forces_of(model, {.gravity = Vec3(0, -gravity, 0)}), nullptr);
+    const State start{mesh.rest, Points::Zero(3, mesh.vertices()), 0};
+    const State end = integrated(method_named("backward_euler"), dynamics, start, 40, 40);
+    double sum = 0;
+    int count = 0;
+    for (int v = 0; v < mesh.vertices(); ++v) {
+        if (mesh.rest(1, v) > -length + 1e-9) continue;
+        sum += mesh.rest(1, v) - end.x(1, v);
+        ++count;
+    }
+    return sum / count;
+}
+
+// The stretch along the strip that carries a pull [N/m] of rest width, free across.
+double stretch_under(MembraneKind kind, double pull, double modulus, double nu) {
+    const double mu = modulus / (2 * (1 + nu)), kappa = modulus / (2 * (1 - nu));
+    const auto carried = [&](double s) {
+        if (kind == MembraneKind::stvk) return modulus * s * (s * s - 1) / 2;
+        const double across = s * (mu + kappa) / (mu + kappa * s * s);  // where it carries nothing
+        return mu * (s - across) + kappa * (s * across - 1) * across;
+    };
+    double low = 1, high = 3;
+    while (high - low > 1e-14) {
+        const double middle = (low + high) / 2;
+        (carried(middle) < pull ? low : high) = middle;
+    }
+    return low;
+}
+
+// The same for the whole strip, by Simpson's rule over the weight below.
+double closed_form(MembraneKind kind, double modulus, double nu) {
+    constexpr int pieces = 200;
+    double sum = 0;
+    for (int i = 0; i <= pieces; ++i) {
+        const double weight = density * gravity * length * i / pieces;
+        const double share = i == 0 || i == pieces ? 1 : i % 2 == 1 ? 4 : 2;
+        sum += share * (stretch_under(kind, weight, modulus, nu) - 1);
+    }
+    return sum * length / (3 * pieces);
+}
+
+}  // namespace
+
+TEST_CASE("a hanging strip of finite elements stretches by rho g L^2 / (2 Y) to half a per cent",
+          "[simulate]") {
+    constexpr double modulus = 1000;
+    const double expected = density * gravity * length * length / (2 * modulus);
+    for (const MembraneKind kind : membrane_kinds) {
+        for (const double nu : {0.0, 0.3}) {
+            for (const Mesh& mesh :
+                 {hanging_strip(width, length, 2, 40), hanging_strip(width, length, 4, 60, 0.25)}) {
+                const double found = stretch(mesh, membrane_fabric(kind, modulus, nu));
+                CAPTURE(int(kind), nu, mesh.vertices(), found / expected - 1);
+                CHECK(found == Approx(expected).epsilon(0.005));
+            }
+        }
+    }
+}
+
+TEST_CASE("a soft hanging strip stretches as its material's own law says", "[simulate]") {
+    constexpr double modulus = 5;  // some 20 %
+    for (const MembraneKind kind : membrane_kinds) {
+        const double expected = closed_form(kind, modulus, 0.3), linear = density * gravity / (2 * modulus);
+        const double found =
+            stretch(hanging_strip(width, length, 4, 60, 0.25), membrane_fabric(kind, modulus, 0.3));
+        CAPTURE(int(kind), expected, found / expected - 1);
+        CHECK(found == Approx(expected).epsilon(0.005));
+        CHECK(std::abs(expected / linear - 1) > 0.05);  // the linear figure would not pass
+    }
+}
