@@ -29,13 +29,13 @@ MembraneModuli moduli_of(const Fabric& fabric);
 using Vec2 = Eigen::Vector2d;
 
 struct MembraneElement {
-    std::array<int, 3> corner{};                        // columns of the State
-    double area = 0;                                    // A [m^2]
-    std::array<Vec2, 3> slope;                          // g_k [1/m]
-    Eigen::Vector3d squared = Eigen::Vector3d::Zero();  // Q_k0 [m^2]
-    Eigen::Vector3d trace = Eigen::Vector3d::Zero();    // tr M_k [1/m^2]
-    Mat3 coupling = Mat3::Zero();                       // T [N/m^3]
-    double relaxation = 0;                              // tau: viscous stress is T tau dQ/dt [s]
+    std::array<int, 3> corner{};                                          // columns of the State
+    double area = 0;                                                      // A [m^2]
+    std::array<Vec2, 3> slope{Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};  // g_k [1/m]
+    Eigen::Vector3d squared = Eigen::Vector3d::Zero();                    // Q_k0 [m^2]
+    Eigen::Vector3d trace = Eigen::Vector3d::Zero();                      // tr M_k [1/m^2]
+    Mat3 coupling = Mat3::Zero();                                         // T [N/m^3]
+    double relaxation = 0;  // tau: viscous stress is T tau dQ/dt [s]
 };
 
 // The cloth's triangle f. Damping is that ratio of critical for the fastest motion of the triangle alone.

@@ -11,7 +11,7 @@ using namespace drape::test;
 
 namespace {
 
-constexpr double width = 0.05, length = 1, gravity = 9.81, density = 0.2;
+constexpr double width = 0.02, length = 1, gravity = 9.81, density = 0.2;
 
 // How far the strip's lower edge has come down where all forces balance [m].
 double stretch(const Mesh& mesh, const Fabric& fabric) {
@@ -20,7 +20,7 @@ double stretch(const Mesh& mesh, const Fabric& fabric) {
         if (mesh.rest(1, v) > -1e-9) top.push_back(v);
     Model model = model_of(mesh, fabric);
     hold(model, top, mesh.rest);
-    Dynamics dynamics(model, forces_of(model, {.gravity = Vec3(0, -gravity, 0)}), nullptr);
+    Dynamics dynamics(model, forces_of(model, {Vec3(0, -gravity, 0), {}}), nullptr);
     const State start{mesh.rest, Points::Zero(3, mesh.vertices()), 0};
     const State end = integrated(method_named("backward_euler"), dynamics, start, 40, 40);
     double sum = 0;
@@ -65,7 +65,7 @@ double closed_form(MembraneKind kind, double modulus, double nu) {
 
 TEST_CASE("a hanging strip of finite elements stretches by rho g L^2 / (2 Y) to half a per cent",
           "[simulate]") {
-    constexpr double modulus = 1000;
+    constexpr double modulus = 10000;
     const double expected = density * gravity * length * length / (2 * modulus);
     for (const MembraneKind kind : membrane_kinds) {
         for (const double nu : {0.0, 0.3}) {
@@ -73,6 +73,7 @@ TEST_CASE("a hanging strip of finite elements stretches by rho g L^2 / (2 Y) to 
                  {hanging_strip(width, length, 2, 40), hanging_strip(width, length, 4, 60, 0.25)}) {
                 const double found = stretch(mesh, membrane_fabric(kind, modulus, nu));
                 CAPTURE(int(kind), nu, mesh.vertices(), found / expected - 1);
+                // measured: 0.02 % without contraction, else 0.25 %, of which the held edge hinders most
                 CHECK(found == Approx(expected).epsilon(0.005));
             }
         }
@@ -80,13 +81,15 @@ TEST_CASE("a hanging strip of finite elements stretches by rho g L^2 / (2 Y) to 
 }
 
 TEST_CASE("a soft hanging strip stretches as its material's own law says", "[simulate]") {
-    constexpr double modulus = 5;  // some 20 %
+    // by 15 and 20 %; with no contraction across at the start, which the held edge would hinder: at 0.3 that
+    // takes 0.6 % from neo-Hookean's, and half of it on a mesh twice as fine
+    constexpr double modulus = 5, nu = 0;
     for (const MembraneKind kind : membrane_kinds) {
-        const double expected = closed_form(kind, modulus, 0.3), linear = density * gravity / (2 * modulus);
+        const double expected = closed_form(kind, modulus, nu), linear = density * gravity / (2 * modulus);
         const double found =
-            stretch(hanging_strip(width, length, 4, 60, 0.25), membrane_fabric(kind, modulus, 0.3));
+            stretch(hanging_strip(width, length, 4, 60, 0.25), membrane_fabric(kind, modulus, nu));
         CAPTURE(int(kind), expected, found / expected - 1);
-        CHECK(found == Approx(expected).epsilon(0.005));
-        CHECK(std::abs(expected / linear - 1) > 0.05);  // the linear figure would not pass
+        CHECK(found == Approx(expected).epsilon(0.002));  // measured 2.5e-5 and 1.0e-3
+        CHECK(std::abs(expected / linear - 1) > 0.02);    // the linear figure would not pass
     }
 }

@@ -24,7 +24,7 @@ Setup hung(MembraneKind kind, double damping = 0, int divisions = 6) {
 // The most that the energy of a trembling sheet grows to over 3000 steps of Verlet, over what it had.
 double growth(MembraneKind kind, double share_of_limit, bool by_bound) {
     const Model model = model_of(jittered_square(5, "alternating", 0.2), membrane_fabric(kind, 100));
-    Dynamics dynamics(model, forces_of(model, {.gravity = Vec3::Zero()}), nullptr);
+    Dynamics dynamics(model, forces_of(model, {Vec3::Zero(), {}}), nullptr);
     const Points& rest = model.cloths[0].mesh.rest;
     const double omega =
         by_bound ? gershgorin_spectrum(dynamics, rest).omega : measured_omega(dynamics, rest);
@@ -36,7 +36,7 @@ double growth(MembraneKind kind, double share_of_limit, bool by_bound) {
     const double start = dynamics.kinetic_energy(state.v);
     double most = 0;
     for (int i = 0; i < 3000 && most < 1e3 * start; ++i) {
-        REQUIRE(integrator->step(dynamics, state, h));
+        if (!integrator->step(dynamics, state, h)) return INFINITY;
         most = std::max(most, dynamics.kinetic_energy(state.v) + dynamics.potential_energy(state.x, 0));
     }
     return most / start;
@@ -48,7 +48,7 @@ TEST_CASE("Verlet just under a membrane's step bound keeps its energy, beyond th
           "[simulate]") {
     for (const MembraneKind kind : membrane_kinds) {
         CAPTURE(int(kind));
-        CHECK(growth(kind, 0.99, true) < 1.5);
+        CHECK(growth(kind, 0.99, true) < 1.5);  // measured 1.13
         CHECK(growth(kind, 1.05, false) > 100);
     }
 }
@@ -71,7 +71,7 @@ TEST_CASE("a hung membrane keeps its energy while it swings and stretches", "[si
             }
             CAPTURE(int(kind), method, fastest, simulation.energies().total() - start);
             CHECK(fastest > 1);
-            // of some 0.9 J that fall
+            // of some 2 J that fall; measured 9e-4
             CHECK(std::abs(simulation.energies().total() - start) < 3e-3);
         }
     }
@@ -98,8 +98,27 @@ TEST_CASE("every method takes a membrane where the most exact one does", "[simul
             const Points x = end_of(kind, method.name, 2e-4);
             const double error = std::sqrt((x - exact).colwise().squaredNorm().mean());
             CAPTURE(int(kind), method.name, error);
-            CHECK(error < (method.order == 1 ? 4e-3 : 1e-4));
+            CHECK(error < (method.order == 1 ? 4e-4 : 2e-6));  // measured 1.8e-4 and 4e-7
         }
+    }
+}
+
+TEST_CASE("a membrane sets xpbd no step: one far too stiff for it stays bounded", "[simulate]") {
+    for (const MembraneKind kind : membrane_kinds) {
+        Setup setup = scene_of(square(16), membrane_fabric(kind, 5e5), {0, 16 * 17});
+        setup.method = "xpbd";
+        setup.step = 1 / 300.0;
+        setup.frames = 20;
+        Simulation simulation(setup);
+        CHECK(simulation.longest_step() == INFINITY);
+        double fastest = 0;
+        while (simulation.frame() < simulation.frames()) {
+            const FrameReport report = simulation.advance();
+            REQUIRE(report.trouble.empty());
+            fastest = std::max(fastest, report.fastest);
+        }
+        CAPTURE(int(kind), fastest);
+        CHECK(fastest < 15);
     }
 }
 
@@ -109,9 +128,7 @@ TEST_CASE("a membrane comes to rest where its forces balance, by every implicit 
         for (const char* method : {"backward_euler", "bdf2", "tr_bdf2", "projective_dynamics"}) {
             Setup setup = hung(kind, 0, 4);
             setup.method = method;
-            // bending keeps the sheet from rocking on for long
-            setup.model.cloths[0].fabric.bending_kind = BendingKind::plate;
-            setup.model.cloths[0].fabric.bending = 1e-3;
+            setup.world.air.drag = 1;  // or it would rock on for long
             setup.step = 0.05;
             setup.frame_rate = 1;
             setup.frames = 60;
@@ -148,7 +165,7 @@ TEST_CASE("an irregular membrane between pins that an even strain has moved rest
                 state.x.col(v) += 0.01 * random_points(1, 1, static_cast<unsigned>(v)).col(0);
         }
         hold(model, border, moved);
-        Dynamics dynamics(model, forces_of(model, {.gravity = Vec3::Zero()}), nullptr);
+        Dynamics dynamics(model, forces_of(model, {Vec3::Zero(), {}}), nullptr);
         const State end = integrated(method_named("backward_euler"), dynamics, state, 1000, 20);
         CAPTURE(int(kind), (end.x - moved).norm());
         CHECK((state.x - moved).norm() > 0.01);
