@@ -284,7 +284,8 @@ Action declare_mesh(CLI::App& verb) {
 
 Action declare_list(CLI::App& verb) {
     auto kind = std::make_shared<std::string>();
-    verb.add_option("KIND", *kind, "scenes, fabrics, methods, obstacles or patterns (default: all)");
+    verb.add_option("KIND", *kind,
+                    "scenes, fabrics, methods, obstacles, patterns or membranes (default: all)");
     return [kind] { return list_kinds(*kind); };
 }
 

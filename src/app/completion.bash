@@ -34,7 +34,7 @@ _drape() {
         compare) words="--share --mean --rms --limit --ignore --perceptual --hausdorff --html --json --junit --accept --quiet --help" ;;
         video) words="--out --fps --speed --boomerang --loop --caption --no-caption --width --side-by-side --label --columns --difference --quiet --help" ;;
         mesh) words="one_way alternating crossed equilateral pseudo_random -o --size --divisions --seed --help" ;;
-        list) words="scenes fabrics methods obstacles patterns --help" ;;
+        list) words="scenes fabrics methods obstacles patterns membranes --help" ;;
         *) return ;;
     esac
     if [[ $word == -* || $verb == mesh || $verb == list ]]; then

@@ -9,6 +9,7 @@
 #include "integrate/method.h"
 #include "mesh/pattern.h"
 #include "obstacle/obstacle.h"
+#include "scene/fabric_words.h"
 #include "scene/reader.h"
 
 namespace drape {
@@ -57,14 +58,18 @@ void list_patterns() {
     for (const PatternKind& kind : pattern_kinds()) row(kind.name, kind.summary);
 }
 
+void list_membranes() {
+    for (const auto& word : membrane_words) row(word.name, word.summary);
+}
+
 struct Listing {
     std::string_view name;
     void (*print)();
 };
 
-constexpr std::array listings{Listing{"scenes", list_scenes}, Listing{"fabrics", list_fabrics},
-                              Listing{"methods", list_methods}, Listing{"obstacles", list_obstacles},
-                              Listing{"patterns", list_patterns}};
+constexpr std::array listings{Listing{"scenes", list_scenes},     Listing{"fabrics", list_fabrics},
+                              Listing{"methods", list_methods},   Listing{"obstacles", list_obstacles},
+                              Listing{"patterns", list_patterns}, Listing{"membranes", list_membranes}};
 
 }  // namespace
 

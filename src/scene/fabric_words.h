@@ -12,6 +12,7 @@ template <class Choice>
 struct Word {
     std::string_view name;
     Choice choice;
+    std::string_view summary = "";
 };
 
 inline constexpr std::array stretch_words{
@@ -29,9 +30,11 @@ inline constexpr std::array altitude_words{
 };
 
 inline constexpr std::array membrane_words{
-    Word<MembraneKind>{"none", MembraneKind::none},
-    Word<MembraneKind>{"stvk", MembraneKind::stvk},
-    Word<MembraneKind>{"neo_hookean", MembraneKind::neo_hookean},
+    Word<MembraneKind>{"none", MembraneKind::none, "springs along edges and altitudes"},
+    Word<MembraneKind>{"stvk", MembraneKind::stvk,
+                       "St. Venant-Kirchhoff: linear in Green's strain; gives way below 58 % of its length"},
+    Word<MembraneKind>{"neo_hookean", MembraneKind::neo_hookean,
+                       "stable neo-Hookean: resists compression to the end"},
 };
 
 inline constexpr std::array bending_words{

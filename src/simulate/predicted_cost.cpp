@@ -13,8 +13,7 @@ constexpr double per_vertex = 12;        // kick, drift, mass
 constexpr double per_spring = 7;         // edge or bend
 constexpr double per_triangle_one = 14;  // one altitude or the blend
 constexpr double per_triangle_all = 90;
-constexpr double per_triangle_stvk = 10;
-constexpr double per_triangle_neo_hookean = 14;
+constexpr double per_triangle_membrane = 9;
 constexpr double per_plate_entry = 1.6;  // of the bending matrix, some 31 a vertex
 constexpr double per_hinge = 90;
 constexpr double per_wind_triangle = 25;
@@ -32,10 +31,8 @@ double sweep_nanoseconds(const Cloth& cloth, bool windy) {
     const auto edges = static_cast<double>(cloth.network.edges.size());
     double sum = per_vertex * cloth.vertices();
     if (cloth.fabric.membrane == MembraneKind::none) sum += per_spring * edges;
-    if (cloth.fabric.membrane == MembraneKind::stvk)
-        sum += per_triangle_stvk * triangles;
-    else if (cloth.fabric.membrane == MembraneKind::neo_hookean)
-        sum += per_triangle_neo_hookean * triangles;
+    if (cloth.fabric.membrane != MembraneKind::none)
+        sum += per_triangle_membrane * triangles;
     else if (cloth.fabric.altitude == AltitudeMode::blend)
         sum += per_triangle_one * triangles;
     else if (cloth.fabric.altitude != AltitudeMode::none)

@@ -151,6 +151,7 @@ TEST_CASE("output that cannot be written is exit 3", "[app]") {
 TEST_CASE("list names what scenes may use", "[app]") {
     const Ran ran = run_drape({"list"});
     CHECK(ran.exit_code == 0);
-    for (const std::string name : {"sphere_drop", "cotton", "takahashi_imada", "torus", "one_way"})
+    for (const std::string name :
+         {"sphere_drop", "cotton", "takahashi_imada", "torus", "one_way", "neo_hookean"})
         CHECK_THAT(ran.out, Catch::Contains(name));
 }

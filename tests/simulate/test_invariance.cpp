@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
+#include "support/membranes.h"
 #include "support/meshes.h"
 #include "support/setups.h"
 
@@ -66,15 +67,26 @@ Surroundings told(Surroundings world, const Telling& telling) {
     return world;
 }
 
-enum class Scene { swatch, flag, drop };
+enum class Scene { swatch, flag, drop, stvk, neo_hookean };
 
-// An irregular sheet: bare and hung by two corners; of full fabric in wind; of full fabric dropped on a rough
-// ball. None starts at rest.
+Fabric fabric_of(Scene kind) {
+    if (kind == Scene::swatch) return bare_springs(200);
+    if (kind == Scene::stvk) return membrane_fabric(MembraneKind::stvk, 200);
+    Fabric fabric = full_fabric();
+    if (kind == Scene::neo_hookean) {
+        fabric.stretch_model = StretchModel::membrane;
+        fabric.membrane = MembraneKind::neo_hookean;
+    }
+    return fabric;
+}
+
+// An irregular sheet: bare and hung by two corners, of springs or of finite elements; of full fabric in wind;
+// of full fabric dropped on a rough ball. None starts at rest.
 Setup scene(Scene kind, std::string_view method, bool own_step, const Telling& telling = {}) {
     constexpr int divisions = 6;
     const auto [metre, kilogram, second] = telling.unit;
     const Mesh mesh = jittered_square(divisions, "alternating", 0.2);
-    const Fabric fabric = kind == Scene::swatch ? bare_springs(200) : full_fabric();
+    const Fabric fabric = fabric_of(kind);
     std::vector<int> held;
     if (kind != Scene::drop) held = {telling.name(0), telling.name(divisions * (divisions + 1))};
     Setup setup = scene_of(told(mesh, telling), told(fabric, telling.unit), held);
@@ -124,11 +136,15 @@ struct Case {
 // every kind of method, where it may
 const std::vector<Case> cases{{Scene::swatch, "takahashi_imada"},
                               {Scene::swatch, "srkn6"},
+                              {Scene::stvk, "takahashi_imada"},
+                              {Scene::neo_hookean, "verlet"},
                               {Scene::flag, "verlet"},
                               {Scene::flag, "rk4"},
                               {Scene::drop, "verlet"},
                               {Scene::drop, "symplectic_euler"}};
 const std::vector<Case> implicit_cases{{Scene::swatch, "bdf2"},
+                                       {Scene::stvk, "bdf2"},
+                                       {Scene::neo_hookean, "backward_euler"},
                                        {Scene::flag, "backward_euler"},
                                        {Scene::flag, "projective_dynamics"},
                                        {Scene::drop, "tr_bdf2"}};
