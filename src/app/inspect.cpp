@@ -38,13 +38,16 @@ void print_mesh(const Mesh& mesh) {
 
 void print_fabric(const Cloth& cloth) {
     std::printf("  mass                %.4g kg\n", cloth.mass.sum());
-    const DirectionalModulus& m = cloth.network.modulus;
     if (cloth.fabric.stretch == 0) return;
+    const DirectionalModulus& m = cloth.network.modulus;
+    if (cloth.fabric.membrane != MembraneKind::none) {
+        std::printf("  stretch modulus     %.4g N/m in every direction, Poisson's ratio %g\n", m.mean,
+                    cloth.fabric.membrane_poisson);
+        return;
+    }
     std::printf("  stretch modulus     %.4g N/m mean; %.4g at %.0f degrees to %.4g at %.0f degrees\n", m.mean,
                 m.least, m.least_angle_deg, m.most, m.most_angle_deg);
-    if (cloth.fabric.membrane != MembraneKind::none)
-        std::printf("  finite elements     Poisson's ratio %g\n", cloth.fabric.membrane_poisson);
-    else if (cloth.fabric.stretch_model == StretchModel::membrane)
+    if (cloth.fabric.stretch_model == StretchModel::membrane)
         std::printf("  calibration         springs times %.4f, so that the mean is the fabric's\n",
                     cloth.network.calibration);
 }

@@ -126,7 +126,7 @@ TEST_CASE("impossible fabrics are refused at their place", "[scene]") {
     CHECK(fabric_error("{ membrane = 1 }") ==
           "scene.toml:4:23: membrane: expected a table, found the integer 1");
     CHECK(fabric_error("{ stretch = { model = \"spring_constant\", value = 5 }, membrane = \"stvk\" }") ==
-          "scene.toml:4:77: membrane \"stvk\" stretches by Young's modulus times thickness: stretch model "
+          "scene.toml:4:75: membrane \"stvk\" stretches by Young's modulus times thickness: stretch model "
           "must be "
           "\"membrane\" (N/m), not \"spring_constant\"");
     CHECK(fabric_error("{ bending = { value = 1e-5, poisson = 0.6 } }") ==
