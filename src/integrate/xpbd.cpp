@@ -1,5 +1,6 @@
 // Extended position-based dynamics: small steps of symplectic Euler for every force but springs, then one
-// sweep in which each spring in turn takes its own implicit Euler step (edge_projection.h):
+// sweep in which each spring in turn takes its own implicit Euler step (edge_projection.h); a membrane's
+// triangles are springs here too (membrane_projection.h):
 //   v += h a(x, v, t),   p = x + h v,   p <- sweep(p),   v = (p - x) / h,   x = p.
 // One sweep with the multipliers started from 0 is order one in h: it is a product of the springs' separate
 // implicit steps, which differs from the joint one by O(h^2). At coarse steps what is left over makes stiff
