@@ -14,7 +14,7 @@ namespace {
 constexpr int most_columns = 5;
 constexpr size_t long_title = 24;  // letters: set smaller, or it runs into the next panel's
 constexpr double panel_width = 196, panel_height = 168, gap_across = 46, gap_down = 66;
-constexpr double left = 74, right = 20, bottom = 58, top = 84;
+constexpr double left = 82, right = 20, bottom = 66, top = 84;
 
 // Half a cell on a log axis, as a factor.
 double half_of(const std::vector<double>& grid) {
@@ -123,6 +123,11 @@ struct Layout {
     bool is_lowest(int slot) const { return slot + columns >= slots - 1; }  // of the panels
 };
 
+// gnuplot takes tick labels with exponents to be larger than they are, and puts these beyond the picture's
+// edge where they are not moved
+constexpr const char *step_label = "set ylabel 'step [s]' font ',11' offset 1.2,0\n",
+                     *stiffness_label = "set xlabel 'spring constant [N/m]' font ',11' offset 0,0.7\n";
+
 std::string all_panels(const StabilityFigure& figure, const Layout& layout, const Frame& frame) {
     return cat("set multiplot title ", plot_quoted(figure.title), " noenhanced font ',16' layout ",
                layout.rows, ",", layout.columns, " margins ", left / layout.width, ",",
@@ -142,12 +147,10 @@ std::string figure_text(const StabilityMap& map, const StabilityFigure& figure) 
         const StabilityPanel& panel = figure.panels[static_cast<size_t>(slot)];
         const PanelText text = panel_text(panel, frame, cat("m", slot));
         data += text.data;
-        body +=
-            cat("set title ", plot_quoted(panel.title), " noenhanced font ',",
-                panel.title.size() > long_title ? 9 : 12, "' offset 0,-0.4\n",
-                layout.is_leftmost(slot) ? "set ylabel 'step [s]' font ',11'\n" : "unset ylabel\n",
-                layout.is_lowest(slot) ? "set xlabel 'spring constant [N/m]' font ',11'\n" : "unset xlabel\n",
-                text.plot, "\n");
+        body += cat("set title ", plot_quoted(panel.title), " noenhanced font ',",
+                    panel.title.size() > long_title ? 9 : 12, "' offset 0,-0.4\n",
+                    layout.is_leftmost(slot) ? step_label : "unset ylabel\n",
+                    layout.is_lowest(slot) ? stiffness_label : "unset xlabel\n", text.plot, "\n");
     }
     body += legend() + "unset multiplot\n";
     const std::string size =

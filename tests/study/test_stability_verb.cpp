@@ -1,4 +1,6 @@
 // `drape stability` from the command line.
+#include <regex>
+
 #include <catch2/catch.hpp>
 
 #include "support/run_program.h"
@@ -6,6 +8,29 @@
 
 using namespace drape;
 using namespace drape::test;
+
+namespace {
+
+// Axis labels stand wholly within the picture, a lower one under each of `columns` panels.
+void check_axis_labels(const std::string& svg, int columns) {
+    constexpr double letter = 12, line = 8;  // height with what overhangs, to the lower edge [pixels]
+    std::smatch size;
+    REQUIRE(std::regex_search(svg, size, std::regex("height=\"(\\d+)\"")));
+    const double height = std::stod(size[1]);
+    int sideways = 0, below = 0;
+    const std::regex text(R"(translate\(([-.\d]+),([-.\d]+)\)[^>]*>\s*<text><tspan[^>]*>(step|spring))");
+    for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {
+        CAPTURE(it->str());
+        const bool upright = (*it)[3] == "spring";
+        CHECK(std::stod((*it)[1]) > letter);
+        CHECK(std::stod((*it)[2]) < height - line);
+        ++(upright ? below : sideways);
+    }
+    CHECK(sideways == 1);
+    CHECK(below == columns);
+}
+
+}  // namespace
 
 TEST_CASE("drape stability leaves a csv, maps and a page, and nothing half-written", "[study]") {
     const TemporaryFolder folder;
@@ -23,6 +48,8 @@ TEST_CASE("drape stability leaves a csv, maps and a page, and nothing half-writt
     CHECK_THAT(bytes_of(out + "/stability.csv"), Catch::Contains("\nauto,slivers,"));
     CHECK_THAT(bytes_of(out + "/index.html"),
                Catch::Contains("f0_gnuplot") && Catch::Contains("f1_gnuplot") && Catch::Contains("</html>"));
+    check_axis_labels(bytes_of(out + "/alternating.svg"), 2);
+    check_axis_labels(bytes_of(out + "/auto.svg"), 3);
 }
 
 TEST_CASE("drape stability takes a scene's cloth", "[study]") {
