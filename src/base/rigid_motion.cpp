@@ -82,9 +82,10 @@ MovingPose RigidMotion::at(double t) const {
     return moving;
 }
 
-double RigidMotion::top_speed(double radius) const {
+double RigidMotion::top_speed(double radius, double from, double to) const {
     double fastest = 0;
     for (size_t i = 1; i < keys_.size(); ++i) {
+        if (keys_[i].t <= from || keys_[i - 1].t >= to) continue;
         // a monotone cubic is never steeper than three times its secant
         const double h = keys_[i].t - keys_[i - 1].t;
         const Six secant = (value_[i] - value_[i - 1]) / h;

@@ -1,6 +1,7 @@
 // Rigid motion along keyframes: how an obstacle or a group of pins moves.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "base/points.h"
@@ -51,7 +52,9 @@ public:
     bool moves() const { return keys_.size() > 1; }
     MovingPose at(double t) const;
     // no point within `radius` of the moving origin is ever faster than this [m/s]
-    double top_speed(double radius) const;
+    double top_speed(double radius) const { return top_speed(radius, -INFINITY, INFINITY); }
+    // the same from one time to another [s]
+    double top_speed(double radius, double from, double to) const;
     double end_time() const { return keys_.empty() ? 0 : keys_.back().t; }
 
 private:

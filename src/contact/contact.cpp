@@ -7,13 +7,6 @@ namespace drape {
 
 namespace {
 
-// Of a moving obstacle's surface as far out as cloth can touch it, at most [m/s].
-double surface_speed(const Obstacle& obstacle) {
-    if (!obstacle.motion.moves()) return 0;
-    const double reach = obstacle.solid->reach() + obstacle.solid->centre().norm();
-    return obstacle.motion.top_speed(std::isfinite(reach) ? reach : 1e3);
-}
-
 // How fast a cloth may hit an obstacle: by falling from where it starts, and by the obstacle's own motion
 // [m/s].
 double impact_speed(const Cloth& cloth, const Obstacle& obstacle, const Vec3& gravity, const State& start,
@@ -26,7 +19,7 @@ double impact_speed(const Cloth& cloth, const Obstacle& obstacle, const Vec3& gr
         way = std::max(way, obstacle.solid->sample(pose.back(x.col(i))).distance);
     const double g = gravity.norm(), fall = std::min(way, g * duration * duration / 2);
     const double started = std::sqrt(v.colwise().squaredNorm().maxCoeff());
-    return started + std::sqrt(2 * g * fall) + surface_speed(obstacle);
+    return started + std::sqrt(2 * g * fall) + obstacle.surface_speed();
 }
 
 // No column is longer; the longest may be shorter by up to sqrt 3, but this needs no column's own length.
@@ -45,7 +38,7 @@ Contact::Contact(const Model& model, const std::vector<Obstacle>& obstacles, con
             pairs_.emplace_back(model, cloth, obstacle, gravity,
                                 impact_speed(cloth, obstacle, gravity, start, duration));
             thickness_ = std::max(thickness_, pairs_.back().barrier().thickness);
-            obstacle_speed_ = std::max(obstacle_speed_, surface_speed(obstacle));
+            obstacle_speed_ = std::max(obstacle_speed_, obstacle.surface_speed());
         }
     }
 }
@@ -71,6 +64,15 @@ double Contact::clear_part(In x, In move, double time) const {
     double clear = 1;
     for (const ObstacleContact& pair : pairs_) clear = std::min(clear, pair.clear_part(x, move, time));
     return clear;
+}
+
+bool Contact::passed_through(const State& before, const State& after) {
+    if (obstacle_speed_ == 0) return false;
+    const double moved = std::sqrt((after.x - before.x).colwise().squaredNorm().maxCoeff());
+    cover(before.x, before.time, moved + obstacle_speed_ * (after.time - before.time));
+    return std::any_of(pairs_.begin(), pairs_.end(), [&](const ObstacleContact& pair) {
+        return pair.passed_through(before.x, before.time, after.x, after.time);
+    });
 }
 
 double Contact::energy(In x, double time) const {
@@ -123,9 +125,9 @@ ContactWork Contact::rub(Points& v, double h) const {
     return all;
 }
 
-double Contact::least_distance(In x, double time) const {
+double Contact::least_distance(In x, double time, bool held) const {
     double least = INFINITY;
-    for (const ObstacleContact& pair : pairs_) least = std::min(least, pair.least_distance(x, time));
+    for (const ObstacleContact& pair : pairs_) least = std::min(least, pair.least_distance(x, time, held));
     return least;
 }
 
@@ -133,6 +135,8 @@ double Contact::lift_out(Points& x) const {
     double largest = 0;
     for (const ObstacleContact& pair : pairs_)
         largest = std::max(largest, pair.lift_out(x, model_, 2 * pair.barrier().thickness));
+    // out of one may be into another, and pins do not move
+    for (const ObstacleContact& pair : pairs_) pair.demand_outside(x);
     return largest;
 }
 

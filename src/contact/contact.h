@@ -34,12 +34,17 @@ public:
     // as in ObstacleContact; x must be covered for the whole move
     double clear_part(In x, In move, double time) const;
 
-    ContactWork rub(Points& v, double h) const;
-    double least_distance(In x, double time) const;
+    // Whether a step from one state to the other led cloth through an obstacle, which neither of them shows.
+    bool passed_through(const State& before, const State& after);
 
-    // Clears small overlaps of the start (see ObstacleContact::lift_out). Returns the largest move [m].
+    ContactWork rub(Points& v, double h) const;
+    double least_distance(In x, double time, bool held = true) const;  // as in ObstacleContact
+
+    // Clears small overlaps of the start (see ObstacleContact::lift_out). Returns the largest move [m];
+    // throws Error where that leaves cloth in an obstacle.
     double lift_out(Points& x) const;
 
+    double thickness() const { return thickness_; }  // of the thickest barrier [m]
     const std::vector<ObstacleContact>& pairs() const { return pairs_; }
 
 private:

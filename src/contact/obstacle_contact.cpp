@@ -217,12 +217,46 @@ double ObstacleContact::clear_part(In x, In move, double time) const {
     return clear;
 }
 
-double ObstacleContact::least_distance(In x, double time) const {
+// Part by part of the step: in one where point and surface move by less than the gap at its start they do not
+// meet, and in one where that is next to nothing its end shows it. Vertices are taken to go straight.
+bool ObstacleContact::passed_through(In before, double from, In after, double to) const {
+    constexpr int most_looks = 4096;  // of a point: beyond, the step is too long to tell
+    constexpr double fine = 0.25;
+    const double least = fine * barrier_.thickness;
+    const Points move = after - before;
+    const double moved = std::sqrt(move.colwise().squaredNorm().maxCoeff());
+    const double shifted = obstacle_.surface_speed(from, to) * (to - from);
+    if (shifted == 0 || shifted + moved < least) return false;
+    const Pose start = obstacle_.motion.at(from).pose;
+    for (const int i : near_) {
+        const ContactPoint& point = points_[static_cast<size_t>(i)];
+        const Vec3 at = value_at(point, before.data()), way = value_at(point, move.data());
+        const double length = way.norm();
+        int looks = 0;
+        const auto meet = [&](const auto& self, double begin, double end, double gap) -> bool {
+            const double t0 = from + begin * (to - from), t1 = from + end * (to - from);
+            const double both = obstacle_.surface_speed(t0, t1) * (t1 - t0) + length * (end - begin);
+            if (gap > both || both < least) return false;
+            if (++looks > most_looks) return true;
+            const double middle = (begin + end) / 2;
+            const Pose pose = obstacle_.motion.at((t0 + t1) / 2).pose;
+            const double then = sample(pose, at + middle * way).distance;
+            return then <= 0 || self(self, begin, middle, gap) || self(self, middle, end, then);
+        };
+        if (meet(meet, 0, 1, sample(start, at).distance)) return true;
+    }
+    return false;
+}
+
+double ObstacleContact::least_distance(In x, double time, bool held) const {
     const Pose pose = obstacle_.motion.at(time).pose;
     const int fine = 2 * level_ + 2;
     double least = INFINITY;
     for (Eigen::Index f = 0; f < faces_.cols(); ++f) {
         const Vec3 a = x.col(faces_(0, f)), b = x.col(faces_(1, f)), c = x.col(faces_(2, f));
+        const auto is_pinned = [&](int v) { return inverse_mass_[v] == 0; };
+        if (!held && (is_pinned(faces_(0, f)) || is_pinned(faces_(1, f)) || is_pinned(faces_(2, f))))
+            continue;
         // the distance changes by no more than the way: far triangles need only their corner looked at
         const double reach = std::max((b - a).norm(), (c - a).norm());
         const double corner = sample(pose, a).distance;
@@ -235,6 +269,21 @@ double ObstacleContact::least_distance(In x, double time) const {
                     sample(pose, a + double(i) / fine * (b - a) + double(j) / fine * (c - a)).distance);
     }
     return least;
+}
+
+void ObstacleContact::demand_outside(In x) const {
+    const Pose pose = obstacle_.motion.at(0).pose;
+    double deepest = 0;
+    bool inside = false;
+    for (const ContactPoint& point : points_) {
+        const double gap = sample(pose, value_at(point, x.data())).distance - offset_;
+        inside = inside || gap <= 0;
+        deepest = std::min(deepest, gap);
+    }
+    if (inside)
+        throw Error(cat(obstacle_.place.empty() ? "" : obstacle_.place + ": ",
+                        "cloth cannot start: pins or other obstacles hold it ", -deepest, " m inside the ",
+                        obstacle_.kind, " (move one of them)"));
 }
 
 double ObstacleContact::lift_out(Points& x, const Model& model, double most) const {

@@ -78,13 +78,20 @@ public:
     // gap. 0 where one has crossed already.
     double clear_part(In x, In move, double time) const;
 
-    // The least distance of any point of any triangle, on a lattice finer than the contact points' [m].
-    double least_distance(In x, double time) const;
+    // Whether a listed point and the obstacle, each on its way through a step, were in one place meanwhile,
+    // though at neither end: so far may either go in a step.
+    bool passed_through(In before, double from, In after, double to) const;
+
+    // The least distance of any point of any triangle, on a lattice finer than the contact points' [m]. Those
+    // `held` at a pin, which nothing may be able to keep outside, need not count.
+    double least_distance(In x, double time, bool held = true) const;
 
     // Moves vertices that start nearer than they would rest, or in the obstacle by no more than `most`, out
     // to where the barrier carries the cloth's weight, so that it does not throw them. Returns the largest
     // move [m]; throws Error where the cloth starts deeper inside.
     double lift_out(Points& x, const Model& model, double most) const;
+    // Throws Error where a contact point is in the obstacle, or as near as none may come.
+    void demand_outside(In x) const;
 
     const Barrier& barrier() const { return barrier_; }
     double offset() const { return offset_; }

@@ -27,6 +27,13 @@ constexpr std::array kinds{
 
 }  // namespace
 
+double Obstacle::surface_speed(double from, double to) const {
+    constexpr double far_out = 1e3;  // on a plane that turns [m]
+    if (!motion.moves()) return 0;
+    const double reach = solid->reach() + solid->centre().norm();
+    return motion.top_speed(std::isfinite(reach) ? reach : far_out, from, to);
+}
+
 Mat3 curvature(const Solid& solid, const Vec3& p) {
     // relative errors of (step / radius)^2 and of round-off / step balance for radii of millimetres and more
     constexpr double step = 1e-6;

@@ -2,6 +2,7 @@
 // row in the table of obstacle.cpp and its line in the README; the tests loop over the table.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -59,6 +60,10 @@ struct Obstacle {
     RigidMotion motion;
     double friction = 0;     // Coulomb's coefficient between it and cloth [-]
     std::string place = {};  // where a scene says so, for messages; "" = nowhere
+
+    // No point of its surface, as far out as cloth can touch it, is ever faster than this, or between two
+    // times [m/s].
+    double surface_speed(double from = -INFINITY, double to = INFINITY) const;
 };
 
 }  // namespace drape

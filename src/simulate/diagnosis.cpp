@@ -11,6 +11,7 @@ namespace drape {
 namespace {
 
 constexpr double sliver_aspect = 100;   // longest side over smallest height
+constexpr double far_stretched = 0.3;   // strain
 constexpr double light_vertex = 0.001;  // of the median mass
 
 // the first that is not finite, else the fastest
@@ -87,6 +88,22 @@ std::string why_it_ran_away(const Dynamics& dynamics, const State& state, const 
     return cat("motion ran away at t = ", state.time, " s, at vertex ", vertex, " under ",
                strongest_force(dynamics, state, vertex),
                "; likely cause: ", likely_cause(dynamics, vertex, taken));
+}
+
+std::string why_inside(double depth, double time, double strain) {
+    return cat("cloth is ", depth, " m inside an obstacle at t = ", time, " s; likely cause: ",
+               strain > far_stretched ? cat("edges at ", 1 + strain, " times their length")
+                                      : std::string("an obstacle smaller than the triangles"),
+               ", between contact points too far apart");
+}
+
+std::string why_no_end(const Dynamics& dynamics, const State& state, long steps, double step) {
+    const int vertex = worst_vertex(state);
+    return cat(steps, " steps, the last of ", step, " s, have come no farther than t = ", state.time,
+               " s; likely cause: ",
+               dynamics.touch().contacts > 0
+                   ? std::string("contact with an obstacle, far stiffer or faster than the cloth")
+                   : cat(strongest_force(dynamics, state, vertex), " at vertex ", vertex));
 }
 
 std::string why_no_step(const Dynamics& dynamics, double time) {

@@ -115,6 +115,7 @@ private:
     void take_method(std::string_view method, std::string because);
     FrameReport next_frame();
     FrameReport try_frame();
+    void look_for_penetration(FrameReport& report) const;
     void choose_step();
     double steps_a_frame(double wanted) const;
     double allowed_step() const;

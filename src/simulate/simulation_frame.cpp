@@ -16,6 +16,8 @@ namespace {
 
 constexpr int most_halvings = 30;  // of a step that crossed into an obstacle or was not solved
 constexpr int most_retries = 10;   // of a frame, each with half the step
+// of a frame, over those planned as many times and besides: so short steps would go on for ever
+constexpr long most_times_planned = 256, most_implicit_steps = 1000, most_explicit_steps = 1'000'000;
 constexpr double instant = 1e-12;  // of the time so far: less is no step to make
 
 }  // namespace
@@ -32,7 +34,7 @@ double Simulation::guarded_step(double h, FrameReport& report) {
     for (int halving = 0; halving <= most_halvings; ++halving, h /= 2) {
         const bool solved = integrator_->step(*dynamics_, state_, h);
         const ObstacleContact::Result& touch = dynamics_->touch();
-        if (solved && !touch.crossed) {
+        if (solved && !touch.crossed && !(contact && contact->passed_through(before_, state_))) {
             report.contacts = std::max(report.contacts, touch.contacts);
             if (touch.contacts > 0)
                 report.least_distance = std::min(report.least_distance, touch.least_distance);
@@ -43,6 +45,20 @@ double Simulation::guarded_step(double h, FrameReport& report) {
         integrator_->begin(*dynamics_, state_, h / 2);
     }
     return 0;
+}
+
+// Contact points keep their distance, and what lies between them: unless cloth is stretched so far that they
+// lie apart farther than was foreseen, or the obstacle is smaller than what lies between them. A little of
+// that is told; more than the contact's thickness is cloth in an obstacle.
+void Simulation::look_for_penetration(FrameReport& report) const {
+    const Contact* contact = dynamics_->contact();
+    if (!contact) return;
+    const double least = contact->least_distance(state_.x, state_.time);
+    report.least_distance = std::min(report.least_distance, least);
+    if (least >= -contact->thickness()) return;
+    const double pushed = contact->least_distance(state_.x, state_.time, false);
+    if (pushed < -contact->thickness())
+        report.trouble = why_inside(-pushed, state_.time, largest_strain(setup_.model, state_.x));
 }
 
 FrameReport Simulation::advance() {
@@ -66,11 +82,13 @@ FrameReport Simulation::next_frame() {
         if (!runs_away_ || retries == most_retries) break;
     }
     halvings_ = 0;
-    if (!report.trouble.empty()) return report;
+    if (report.trouble.empty()) look_for_penetration(report);
+    if (!report.trouble.empty()) {
+        state_ = good;
+        dynamics_->reset_flow(good_flow);
+        return report;
+    }
     ++frame_;
-    if (dynamics_->contact())
-        report.least_distance =
-            std::min(report.least_distance, dynamics_->contact()->least_distance(state_.x, state_.time));
     report.time = state_.time;
     report.strain = largest_strain(setup_.model, state_.x);
     report.fastest = std::sqrt(state_.v.colwise().squaredNorm().maxCoeff());
@@ -91,6 +109,8 @@ FrameReport Simulation::try_frame() {
     report.planned_steps = std::lround(1 / setup_.frame_rate / step_);
     report.shortest_step = step_;
     runs_away_ = false;
+    const long most_steps = most_times_planned * report.planned_steps +
+                            (method_->is_implicit() ? most_implicit_steps : most_explicit_steps);
     for (double left = end_time - state_.time; left > instant * end_time; left = end_time - state_.time) {
         const double wanted = left / std::ceil(left / allowed_step() * (1 - instant));
         const double h = wanted > instant * end_time ? guarded_step(wanted, report) : 0;
@@ -98,6 +118,10 @@ FrameReport Simulation::try_frame() {
         report.shortest_step = std::min(report.shortest_step, h);
         if (h == 0) {
             report.trouble = why_no_step(*dynamics_, state_.time);
+            return report;
+        }
+        if (report.steps > most_steps) {
+            report.trouble = why_no_end(*dynamics_, state_, report.steps, h);
             return report;
         }
         runs_away_ = !guard_->step_holds(state_.v);

@@ -73,6 +73,16 @@ TEST_CASE("a motion never overshoots its keyframes and never exceeds its top spe
     CHECK(fastest > top / 6);  // the bound is a bound, not infinity
 }
 
+TEST_CASE("a motion's top speed between two times is that of the keyframes around them", "[base]") {
+    const RigidMotion motion({{0, Vec3::Zero()}, {1, Vec3(1, 0, 0)}, {2, Vec3(1, 0, 0)}, {3, Vec3(1, 9, 0)}});
+    CHECK(motion.top_speed(0, 0.4, 0.6) == Approx(3));
+    CHECK(motion.top_speed(0, 1, 2) == 0);
+    CHECK(motion.top_speed(0, 0.9, 2) == Approx(3));
+    CHECK(motion.top_speed(0, 1.5, 2.5) == Approx(27));
+    CHECK(motion.top_speed(0, 3, 4) == 0);
+    CHECK(motion.top_speed(0) == Approx(27));
+}
+
 TEST_CASE("no keyframes is no motion, and times that do not increase are refused", "[base]") {
     const RigidMotion still;
     CHECK_FALSE(still.moves());

@@ -142,3 +142,16 @@ TEST_CASE("a cloth that starts slightly inside an obstacle is lifted out; deep i
         CHECK(refusal.find(cat("inside the ", kind.name, " (move one of them")) != std::string::npos);
     }
 }
+
+TEST_CASE("cloth that two obstacles leave no room to start in is refused", "[contact]") {
+    ShapeParameters below, above;
+    below.size = above.size = Vec3(1, 0.2, 1);
+    below.centre.y() = -0.1;
+    above.centre.y() = 0.101;
+    const Mesh sheet = square(4, "alternating", 0.2);
+    const auto refusal = [](Setup setup) { return error_of([&] { Simulation(std::move(setup)); }); };
+    CHECK(refusal(setup_of(sheet, Touching::fabric(), {obstacle_of("box", below)}, 30, 2)).empty());
+    CHECK(refusal(setup_of(sheet, Touching::fabric(), {obstacle_of("box", below), obstacle_of("box", above)},
+                           30, 2))
+              .starts_with("cloth cannot start: pins or other obstacles hold it 0."));
+}

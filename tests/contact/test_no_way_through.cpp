@@ -62,6 +62,26 @@ TEST_CASE("a ball shot at a cloth at 100 m/s does not get through", "[contact]")
     CHECK(simulation.state().x.row(1).mean() > 0.5);  // it was carried along
 }
 
+TEST_CASE("a ball that is past a cloth within one step takes it along all the same", "[contact]") {
+    ShapeParameters ball;
+    ball.radius = 0.1;
+    // 2.2 m from rest to rest, in far less than a step, and in some of them
+    for (const double seconds : {0.002, 0.02, 0.1}) {
+        for (const std::string method : {"verlet", "xpbd", "backward_euler", "tr_bdf2"}) {
+            const RigidMotion shot({{0, Vec3(0, -1.1, 0)}, {seconds, Vec3(0, 1.1, 0)}});
+            const Obstacle obstacle = obstacle_of("sphere", ball, 0.3, shot);
+            Setup setup = setup_of(square(8, "alternating", 0.5), bare_springs(0.5), {obstacle}, 30, 3);
+            setup.world.gravity.setZero();
+            setup.method = method;
+            setup.step = 1.0 / 30;
+            Simulation simulation(std::move(setup));
+            CAPTURE(seconds, method);
+            CHECK(least_distance(simulation, obstacle) > 0);
+            CHECK(simulation.state().x.row(1).maxCoeff() > 1.1);
+        }
+    }
+}
+
 TEST_CASE("no triangle of a coarse cloth pokes through an obstacle's edges, corners or bends", "[contact]") {
     ShapeParameters edge, rod;
     edge.size = Vec3(0.5, 0.5, 2);
@@ -81,4 +101,25 @@ TEST_CASE("no triangle of a coarse cloth pokes through an obstacle's edges, corn
         CHECK(simulation.flow().dissipated > 0);
         CHECK(simulation.state().x.row(1).minCoeff() < 0.5);  // it hangs over
     }
+}
+
+TEST_CASE("cloth stretched over an obstacle until its contact points lie too far apart stops the run",
+          "[contact]") {
+    ShapeParameters ball;
+    ball.radius = 0.2;
+    const Obstacle obstacle = obstacle_of("sphere", ball, 0.3);
+    Fabric fabric = bare_springs(260, 0.15);
+    fabric.damping = 0.05;
+    Setup setup = setup_of(raised(square(8, "alternating", 0.3), 0.3), fabric, {obstacle}, 100, 5);
+    setup.world.gravity.y() = -1e5;
+    Simulation simulation(std::move(setup));
+    FrameReport report;
+    while (simulation.frame() < simulation.frames() && report.trouble.empty()) report = simulation.advance();
+    CHECK_THAT(report.trouble,
+               Catch::Contains("m inside an obstacle at t = ") &&
+                   Catch::Contains("times their length, between contact points too far apart"));
+    // the last good frame is kept
+    const Faces faces = simulation.model().cloths[0].mesh.faces;
+    CHECK(lattice_distance(faces, simulation.state().x, obstacle, 0) > -0.02);
+    CHECK(simulation.state().time == Approx(simulation.frame() / 100.0));
 }
