@@ -34,7 +34,7 @@ public:
 
     Power add_padded(const PaddedPoints&, const PaddedPoints& v, PaddedPoints& f) const override {
         const double power = push(rate_, wind_, v.col(first_).data(), f.col(first_).data());
-        return power < 0 ? Power{-power, 0} : Power{0, power};
+        return power < 0 ? Power{.dissipated = -power} : Power{.driven = power};
     }
     void add_bound(In, StepBound& bound) const override {
         bound.damping.segment(first_, rate_.size()) += rate_;

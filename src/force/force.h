@@ -19,10 +19,14 @@ namespace drape {
 struct Power {
     double dissipated = 0;  // turned to heat; >= 0
     double driven = 0;      // put in from outside (wind); may be negative
+    // Not power: at what rate velocities are damped beyond what add_bound allows for, at most [1/s]. So steps
+    // can be shortened where a force that grows with speed finds more of that than was foreseen.
+    double beyond_bound = 0;
 
     Power& operator+=(const Power& other) {
         dissipated += other.dissipated;
         driven += other.driven;
+        beyond_bound += other.beyond_bound;
         return *this;
     }
 };

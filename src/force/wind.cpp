@@ -5,6 +5,7 @@
 // a third. The force follows the air, not a position, so it has no energy. Gusts scale the wind by 1 +
 // strength g(t), g a sum of four sines with seeded phases, |g| <= 1.
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -45,7 +46,14 @@ public:
           area_(cloth.area),
           faces_(cloth.mesh.faces.array() + cloth.first),
           air_(air),
-          gusts_(air) {}
+          gusts_(air),
+          foreseen_(fastest() / cloth.fabric.density),
+          per_mass_(cloth.mesh.triangles()) {
+        for (int t = 0; t < cloth.mesh.triangles(); ++t) {
+            const double area = side_of(cloth.mesh.rest, cloth.mesh.faces.col(t)).twice_area / 2;
+            per_mass_[t] = area > 0 ? 1 / (cloth.fabric.density * area) : 0;
+        }
+    }
 
     double energy(In) const override { return 0; }
     void add_conservative(In, Out) const override {}
@@ -56,12 +64,13 @@ public:
         const Vec3 wind = gusts_.factor(time) * air_.wind;
         const double half_density = air_.density / 2;
         Power power;
+        double most = 0;  // |u| A / m of any triangle
         for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
             const int a = faces_(0, t), b = faces_(1, t), c = faces_(2, t);
             const Vec3 velocity = (v.col(a) + v.col(b) + v.col(c)) / 3;
             const Vec3 u = wind - velocity;
             const double speed = u.norm();
-            const auto [twice_area, n] = side_of(x, t);
+            const auto [twice_area, n] = side_of(x, faces_.col(t));
             if (twice_area == 0 || speed == 0) continue;  // no side to push on, or no flow
             const double un = u.dot(n);
             const Vec3 force = (half_density * twice_area / 2) *
@@ -71,11 +80,14 @@ public:
             f.col(b) += third;
             f.col(c) += third;
             power.driven += force.dot(velocity);
+            most = std::max(most, speed * twice_area / 2 * per_mass_[t]);
         }
+        power.beyond_bound = air_.density * (1 + air_.lift) * std::max(most - foreseen_, 0.0);
         return power;
     }
 
-    // d|force| / dv <= rho A |u| (1 + lift) for the flow at hand; the vertex rows share it by area
+    // d|force| / dv <= rho A |u| (1 + lift) for the flow that is foreseen; the vertex rows share it by area.
+    // A vertex weighs a third of its triangles: the worst of these tells, at every step, of flow beyond that.
     void add_bound(In x, StepBound& bound) const override {
         for (Eigen::Index t = 0; t < faces_.cols(); ++t) {
             const Vec3 a = x.col(faces_(0, t)), b = x.col(faces_(1, t)), c = x.col(faces_(2, t));
@@ -101,7 +113,7 @@ public:
             const int a = faces_(0, t), b = faces_(1, t), c = faces_(2, t);
             const Vec3 u = wind - (v.col(a) + v.col(b) + v.col(c)) / 3;
             const double speed = u.norm();
-            const auto [twice_area, n] = side_of(x, t);
+            const auto [twice_area, n] = side_of(x, faces_.col(t));
             if (twice_area == 0 || speed == 0) continue;
             const Vec3 flow = u / speed;
             const double un = u.dot(n);
@@ -133,19 +145,21 @@ private:
         double twice_area;  // [m^2]
         Vec3 normal;        // unit; none without area
     };
-    Side side_of(In x, Eigen::Index t) const {
-        const Vec3 a = x.col(faces_(0, t)), b = x.col(faces_(1, t)), c = x.col(faces_(2, t));
+    static Side side_of(In x, const Eigen::Vector3i& face) {
+        const Vec3 a = x.col(face[0]), b = x.col(face[1]), c = x.col(face[2]);
         const Vec3 normal = (b - a).cross(c - a);
         const double twice_area = normal.norm();
         return {twice_area, twice_area > 0 ? Vec3(normal / twice_area) : Vec3::Zero()};
     }
 
-    static constexpr double flutter_speed = 20;  // allowance for the cloth's own speed in the bound [m/s]
+    static constexpr double flutter_speed = 20;  // foreseen for the cloth's own speed [m/s]
     int first_;
     Eigen::VectorXd area_;  // per vertex, at rest [m^2]
     Faces faces_;
     AirDescription air_;
     Gusts gusts_;
+    double foreseen_;           // |u| A / m that the bound allows for [m^3/(s kg)]
+    Eigen::VectorXd per_mass_;  // 1 / m per triangle [1/kg]
 };
 
 }  // namespace

@@ -113,7 +113,7 @@ void Dynamics::sum_all(In x, In v, double time, ForceShare share, Points& f) {
     if (contact_) {
         const ThreadCpuScope timer(contact_seconds_);
         touch_ = contact_->add_all(x, v, time, f);
-        power_ += {touch_.dissipated, touch_.driven};
+        power_ += {.dissipated = touch_.dissipated, .driven = touch_.driven};
     }
 }
 
@@ -136,7 +136,7 @@ void Dynamics::unprojected_acceleration(In x, In v, double time, Points& a) {
 void Dynamics::acceleration_with_friction(In x, In v, double time, Points& a) {
     sum_all(x, v, time, ForceShare::all, a);
     const ContactWork power = friction_.add_force(v, a);
-    power_ += {power.dissipated, power.driven};
+    power_ += {.dissipated = power.dissipated, .driven = power.driven};
     finish(v, a);
 }
 

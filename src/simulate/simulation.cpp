@@ -129,9 +129,13 @@ double Simulation::steps_a_frame(double wanted) const {
 }
 
 double Simulation::allowed_step() const {
-    if (!dynamics_->contact()) return step_;
+    Spectrum now = spectrum_;
+    now.gamma += dynamics_->damping_beyond_bound();
+    double allowed = step_;
+    if (now.gamma > spectrum_.gamma) allowed = std::min(allowed, pace_ * margin * method_->longest_step(now));
+    if (!dynamics_->contact()) return allowed;
     const ContactLimits& limits = dynamics_->touch().limits;
-    double allowed = std::min(step_, pace_ * margin * method_->longest_step(with_contact(spectrum_, limits)));
+    allowed = std::min(allowed, pace_ * margin * method_->longest_step(with_contact(now, limits)));
     // implicit steps find their own way up to the barrier
     if (limits.closing_rate > 0 && !method_->is_implicit())
         allowed = std::min(allowed, std::min(pace_, 1.0) / limits.closing_rate);

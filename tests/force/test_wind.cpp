@@ -75,6 +75,20 @@ TEST_CASE("the power that wind puts in is booked: force times velocity", "[force
     CHECK(wind->energy(x) == 0);
 }
 
+TEST_CASE("flow faster than was foreseen says by how much more it damps, to the worst triangle", "[force]") {
+    const Cloth cloth = sheet();  // 0.2 kg/m^2
+    const AirDescription air = blowing({3, 0, 0});
+    const auto wind = make_force("wind", cloth, {.gravity = Vec3::Zero(), .air = air});
+    const auto beyond = [&](const Points& x, const Vec3& velocity) {
+        Points f = Points::Zero(3, x.cols());
+        return wind->add_all(x, velocity.replicate(1, x.cols()), 0, f).beyond_bound;
+    };
+    // 23 m/s are: 3 of the wind's and 20 of the cloth's
+    CHECK(beyond(cloth.mesh.rest, {-19, 1, 0}) == 0);
+    CHECK(beyond(cloth.mesh.rest, {-97, 0, 0}) == Approx(1.2 * (1 + air.lift) * (100 - 23) / 0.2));
+    CHECK(beyond(2 * cloth.mesh.rest, {-97, 0, 0}) == Approx(1.2 * (1 + air.lift) * (4 * 100 - 23) / 0.2));
+}
+
 TEST_CASE("gusts vary the wind within their strength, the same for the same seed", "[force]") {
     AirDescription air = blowing({0, 5, 0});
     air.gust_strength = 0.3;

@@ -115,6 +115,22 @@ TEST_CASE("the step is safe by the measured mode and longer than the bound alone
     }
 }
 
+TEST_CASE("steps are shorter where cloth flies faster than wind was foreseen to be", "[simulate]") {
+    Setup setup = scene_of(square(4), bare_springs(20));
+    setup.world.air.aerodynamic = true;
+    setup.start.v.row(1).setConstant(2000);
+    Simulation simulation(std::move(setup));
+    const double start = simulation.energies().total();
+    const FrameReport report = simulation.advance();
+    CHECK(report.trouble == "");
+    CHECK(report.retries == 0);
+    CHECK(report.steps > report.planned_steps);
+    const Energies end = simulation.energies();
+    const double drift = end.total() - start - simulation.flow().driven + simulation.flow().dissipated;
+    CHECK(std::abs(drift) < 0.05 * start);
+    CHECK(simulation.state().v.row(1).maxCoeff() < 60);
+}
+
 TEST_CASE("contact's stiffness and damping are added to the cloth's own", "[simulate]") {
     const Spectrum sum = with_contact({3, 1}, {.omega_squared = 16, .gamma = 0.5});
     CHECK(sum.omega == Approx(5));
