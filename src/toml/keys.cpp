@@ -19,6 +19,9 @@ constexpr std::array suffixes{Suffix{"m", "m", 1},     Suffix{"cm", "m", 1e-2}, 
                               Suffix{"um", "m", 1e-6}, Suffix{"km", "m", 1e3},  Suffix{"s", "s", 1},
                               Suffix{"ms", "s", 1e-3}, Suffix{"us", "s", 1e-6}, Suffix{"min", "s", 60}};
 
+// of any number, and the inverse of the least where it must be over 0: what is made of them stays finite
+constexpr double largest = 1e15;
+
 // what a quantity in this unit may be written as
 std::string_view expected_number(const Quantity& quantity) {
     if (quantity.unit == "m") return "a length, such as 0.02 or \"2 cm\"";
@@ -81,10 +84,15 @@ double as_number(const Value& value, std::string_view name, const Quantity& quan
     else if (value.kind != Value::Kind::integer && value.kind != Value::Kind::real)
         fail_type(value, name, expected_number(quantity));
     if (!std::isfinite(number)) fail(value.place, name, " must be a finite number, got ", number);
+    const std::string unit = quantity.unit.empty() ? "" : cat(" ", quantity.unit);
+    if (std::abs(number) > largest)
+        fail(value.place, name, " must be from ", -largest, " to ", largest, unit, ", got ", number, unit);
+    const bool above_zero = quantity.least == 0 && quantity.above_least;
+    if (above_zero && number > 0 && number < 1 / largest)
+        fail(value.place, name, " must be at least ", 1 / largest, unit, ", got ", number, unit);
     const bool too_low = quantity.above_least ? number <= quantity.least : number < quantity.least;
     if (too_low || number > quantity.most)
-        fail(value.place, name, " must be ", allowed(quantity), ", got ", number,
-             quantity.unit.empty() ? "" : " ", quantity.unit);
+        fail(value.place, name, " must be ", allowed(quantity), ", got ", number, unit);
     return number;
 }
 

@@ -56,6 +56,16 @@ TEST_CASE("a unit of the wrong dimension, or none, is refused with the right one
     CHECK(number_error("\"3 kg\"", any("kg")) == "f:1:5: x: expected a number, found the text \"3 kg\"");
 }
 
+TEST_CASE("numbers that no computation survives are refused with the range", "[scene]") {
+    CHECK(number_error("1e15", any("m/s^2")).empty());
+    CHECK(number_error("-1.1e15", any("m/s^2")) ==
+          "f:1:5: x must be from -1e+15 to 1e+15 m/s^2, got -1.1e+15 m/s^2");
+    CHECK(number_error("1e300", positive()) == "f:1:5: x must be from -1e+15 to 1e+15, got 1e+300");
+    CHECK(number_error("1e-300", positive("m")) == "f:1:5: x must be at least 1e-15 m, got 1e-300 m");
+    CHECK(number_error("1e-300", not_negative("m")).empty());
+    CHECK(number_error("-1", positive("m")) == "f:1:5: x must be positive, got -1 m");
+}
+
 TEST_CASE("nan and infinity are refused however they are written", "[scene]") {
     for (const char* wrong : {"nan", "inf", "-inf", "\"nan m\"", "\"inf m\""}) {
         CAPTURE(wrong);
