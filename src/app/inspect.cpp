@@ -85,6 +85,14 @@ Course course_of(const Setup& setup, const AccuracyDescription& accuracy) {
     return course;
 }
 
+// a step up to which something holds
+std::string step_text(double seconds) {
+    if (!std::isfinite(seconds)) return "any step";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g s", seconds);
+    return text;
+}
+
 void print_step(const Simulation& simulation, const Course& course) {
     const PredictedCost cost = predicted_cost(simulation);
     std::printf("step\n");
@@ -92,9 +100,10 @@ void print_step(const Simulation& simulation, const Course& course) {
                 simulation.method().name.data(), simulation.chosen_because().c_str());
     for (const Way& way : course.then)
         std::printf("  or                  %s: %s\n", way.method.c_str(), way.because.c_str());
-    std::printf("  guaranteed stable   %.4g s (Gershgorin's bound)\n", simulation.guaranteed_step());
-    std::printf("  longest stable      %.4g s (fastest mode measured, less 10 %%)\n",
-                simulation.longest_step());
+    std::printf("  guaranteed stable   %s (Gershgorin's bound)\n",
+                step_text(simulation.guaranteed_step()).c_str());
+    std::printf("  longest stable      %s (fastest mode measured, less 10 %%)\n",
+                step_text(simulation.longest_step()).c_str());
     std::printf("  used                %.4g s: %.0f steps a frame, %.0f in all\n", simulation.step(),
                 cost.steps / simulation.frames(), cost.steps);
     std::printf("predicted cost\n");

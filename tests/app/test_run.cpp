@@ -236,6 +236,14 @@ TEST_CASE("inspect prints plan, mesh, step and a scene that reads back as itself
     CHECK(again.out.substr(again.out.find("schema = 1")) == scene);
 }
 
+TEST_CASE("inspect says any step where nothing binds one", "[app]") {
+    const TemporaryFolder folder;
+    const Ran ran = run_drape(
+        {"inspect", folder.file("drop.toml", small_drop()), "--set", "accuracy.method=backward_euler"});
+    CHECK(ran.exit_code == 0);
+    CHECK_THAT(ran.out, Catch::Contains("longest stable      any step (") && !Catch::Contains("inf s"));
+}
+
 TEST_CASE("mesh writes what inspect reads", "[app]") {
     const TemporaryFolder folder;
     for (const std::string ending : {"obj", "ply"}) {
