@@ -81,8 +81,11 @@ std::string report_summary(const RunReport& r) {
             cat("  wall time ", number("%.3g", r.spent()), " s of a budget of ", number("%.3g", *r.budget),
                 " s", r.budget_kept() ? "" : ": the shortest way takes longer", "\n");
     if (std::isfinite(r.least_distance()))
-        text += cat("  contact: at most ", r.contacts_max(), " points, never nearer than ",
-                    number("%.3g", r.least_distance() * 1e3), " mm to an obstacle\n");
+        text +=
+            cat("  contact: at most ", r.contacts_max(), " points, ",
+                r.least_distance() < 0 ? cat("up to ", millimetres(-r.least_distance()), " inside")
+                                       : cat("never nearer than ", millimetres(r.least_distance()), " to"),
+                " an obstacle\n");
     if (!r.frames.empty())
         text += cat("  largest strain at the end ", number("%.2f", 100 * r.frames.back().strain), " %\n");
     return text + error_summary(r.error) + error_curve(r.frames);
