@@ -1,5 +1,6 @@
 #include "integrate/method.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/names.h"
@@ -158,7 +159,10 @@ const Method& method_named(std::string_view name) {
 
 std::vector<const Method*> methods_named(const std::vector<std::string>& names) {
     std::vector<const Method*> named;
-    for (const std::string& name : names) named.push_back(&method_named(name));
+    for (const std::string& name : names)
+        if (const Method* method = &method_named(name);
+            std::find(named.begin(), named.end(), method) == named.end())
+            named.push_back(method);
     if (names.empty())
         for (const Method& method : table) named.push_back(&method);
     return named;

@@ -82,7 +82,8 @@ GnuplotRun run_gnuplot(const std::string& folder) {
     if (!run.trouble.empty()) return run;
     run.version = first_line(work.path() / version_file);
     if (code != 0) {
-        run.trouble = cat("gnuplot: ", first_line(work.path() / "says"));
+        const std::string says = first_line(work.path() / "says");
+        run.trouble = says.empty() ? cat("gnuplot ended with exit code ", code) : cat("gnuplot: ", says);
         return run;
     }
     for (const auto& entry : fs::directory_iterator(work.path())) {

@@ -120,7 +120,7 @@ double mean_over_springs(const Model& model, double Spring::*value) {
 }
 
 StabilityCloth cloth_of_scene(const std::string& name, const Setup& setup) {
-    StabilityCloth cloth{.mesh = name, .options = "as in the scene", .file = "scene", .setup = {}};
+    StabilityCloth cloth{.mesh = name, .options = "as in the scene", .file = scene_file, .setup = {}};
     cloth.setup.model = setup.model;
     cloth.setup.start = setup.start;
     cloth.setup.world.gravity = setup.world.gravity;

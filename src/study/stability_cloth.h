@@ -20,6 +20,8 @@ struct StabilityCloth {
 // damping. The first is the regular one with bare springs.
 std::vector<StabilityCloth> built_in_cloths();
 
+inline constexpr const char* scene_file = "scene";  // StabilityCloth::file of a scene's
+
 // A scene's cloths, pins and fabrics under its gravity, without its obstacles and its air.
 StabilityCloth cloth_of_scene(const std::string& name, const Setup& setup);
 

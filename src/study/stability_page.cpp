@@ -102,7 +102,11 @@ std::string how_to_read(const StabilityMap& map) {
            paragraph(
                cat("auto is drape as it runs where nothing is asked: it chooses method and step, guards "
                    "every frame, and is run for ",
-                   trial.auto_frames, " frames at 30 a second."));
+                   trial.auto_frames, " frames at 30 a second.")) +
+           (map.cloths.front().file == scene_file
+                ? paragraph("Of the scene its cloths, pins and gravity are tried, at other stiffnesses: "
+                            "without obstacles and air.")
+                : "");
 }
 
 std::string made_by(const StabilityMap& map, const Provenance& p) {

@@ -60,14 +60,20 @@ TEST_CASE("drape stability takes a scene's cloth", "[study]") {
                     "[[cloth]]\npattern = { name = \"alternating\", size = [1, 1], divisions = [2, 2] }\n"
                     "fabric = \"cotton\"\npins = [{ near = [0.5, 0, 0.5] }]\n");
     const std::string out = folder.file("out");
-    const Ran ran =
-        run_drape({"stability", scene, "--out", out, "--method", "verlet", "--threads", "2", "--quiet"});
+    const Ran ran = run_drape({"stability", scene, "--out", out, "--method", "verlet", "--method", "verlet",
+                               "--threads", "2", "--quiet"});
     CAPTURE(ran.err);
     CHECK(ran.exit_code == 0);
     CHECK(ran.err.empty());
     CHECK(ran.out.empty());
     CHECK_THAT(bytes_of(out + "/stability.csv"), Catch::Contains("\nverlet,tiny <one>,as in the scene,"));
-    CHECK_THAT(bytes_of(out + "/index.html"), Catch::Contains("tiny &lt;one&gt;"));
+    CHECK_THAT(bytes_of(out + "/index.html"),
+               Catch::Contains("tiny &lt;one&gt;") && Catch::Contains("without obstacles and air"));
+    // a method given twice is one method
+    const std::string csv = bytes_of(out + "/stability.csv"),
+                      cell = "\nverlet,tiny <one>,as in the scene,0.01,1e-05,";
+    CHECK(csv.find(cell) != std::string::npos);
+    CHECK(csv.find(cell) == csv.rfind(cell));
 }
 
 TEST_CASE("what stability cannot do is one line", "[study]") {
