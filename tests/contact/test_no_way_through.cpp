@@ -65,8 +65,8 @@ TEST_CASE("a ball shot at a cloth at 100 m/s does not get through", "[contact]")
 TEST_CASE("a ball that is past a cloth within one step takes it along all the same", "[contact]") {
     ShapeParameters ball;
     ball.radius = 0.1;
-    // 2.2 m from rest to rest, in far less than a step, and in some of them
-    for (const double seconds : {0.002, 0.02, 0.1}) {
+    // 2.2 m from rest to rest, in less than a step of a frame
+    for (const double seconds : {0.002, 0.02}) {
         for (const std::string method : {"verlet", "xpbd", "backward_euler", "tr_bdf2"}) {
             const RigidMotion shot({{0, Vec3(0, -1.1, 0)}, {seconds, Vec3(0, 1.1, 0)}});
             const Obstacle obstacle = obstacle_of("sphere", ball, 0.3, shot);
