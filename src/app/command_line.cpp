@@ -181,6 +181,14 @@ Action declare_stability(CLI::App& verb) {
     return [map] { return map_stability(*map); };
 }
 
+Action declare_lab(CLI::App& verb) {
+    auto lab = std::make_shared<LabRequest>();
+    verb.add_option("EXPERIMENT", lab->experiments, "drape list lab (default: all, in their order)");
+    verb.add_option("--out", lab->out, "folder of the results (default: renders/lab)")->type_name("DIR");
+    verb.add_flag("--quiet", lab->quiet, "print nothing but errors");
+    return [lab] { return run_lab(*lab); };
+}
+
 Action declare_compare(CLI::App& verb) {
     auto asked = std::make_shared<CompareRequest>();
     verb.add_option("RESULT", asked->result,
@@ -285,7 +293,7 @@ Action declare_mesh(CLI::App& verb) {
 Action declare_list(CLI::App& verb) {
     auto kind = std::make_shared<std::string>();
     verb.add_option("KIND", *kind,
-                    "scenes, fabrics, methods, obstacles, patterns or membranes (default: all)");
+                    "scenes, fabrics, methods, obstacles, patterns, membranes or lab (default: all)");
     return [kind] { return list_kinds(*kind); };
 }
 
@@ -301,6 +309,7 @@ constexpr std::array verbs{
          declare_inspect},
     Verb{"study", "Measure error against run time of every method on a scene", declare_study},
     Verb{"stability", "Map at which springs and steps every method is stable", declare_stability},
+    Verb{"lab", "Measure what lecture notes claim of springs, and show it", declare_lab},
     Verb{"compare", "Hold pictures, caches or folders of them against references", declare_compare},
     Verb{"video", "Make a video or a looping picture of PNG sequences", declare_video},
     Verb{"mesh", "Write a generated cloth mesh", declare_mesh},

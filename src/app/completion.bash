@@ -5,7 +5,7 @@ _drape() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study stability compare video mesh list --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study stability lab compare video mesh list --help --version" -- "$word")
         return
     fi
     case $previous in
@@ -31,13 +31,14 @@ _drape() {
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
+        lab) words="anisotropy --out --quiet --help" ;;
         compare) words="--share --mean --rms --limit --ignore --perceptual --hausdorff --html --json --junit --accept --quiet --help" ;;
         video) words="--out --fps --speed --boomerang --loop --caption --no-caption --width --side-by-side --label --columns --difference --quiet --help" ;;
         mesh) words="one_way alternating crossed equilateral pseudo_random -o --size --divisions --seed --help" ;;
-        list) words="scenes fabrics methods obstacles patterns membranes --help" ;;
+        list) words="scenes fabrics methods obstacles patterns membranes lab --help" ;;
         *) return ;;
     esac
-    if [[ $word == -* || $verb == mesh || $verb == list ]]; then
+    if [[ $word == -* || $verb == mesh || $verb == list || $verb == lab ]]; then
         mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
     else
         # folders to walk through, and scenes; any file where a mesh may stand

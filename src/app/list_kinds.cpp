@@ -62,14 +62,22 @@ void list_membranes() {
     for (const auto& word : membrane_words) row(word.name, word.summary);
 }
 
+void list_lab() {
+    list_experiments(row);
+}
+
 struct Listing {
     std::string_view name;
     void (*print)();
 };
 
-constexpr std::array listings{Listing{"scenes", list_scenes},     Listing{"fabrics", list_fabrics},
-                              Listing{"methods", list_methods},   Listing{"obstacles", list_obstacles},
-                              Listing{"patterns", list_patterns}, Listing{"membranes", list_membranes}};
+constexpr std::array listings{Listing{"scenes", list_scenes},
+                              Listing{"fabrics", list_fabrics},
+                              Listing{"methods", list_methods},
+                              Listing{"obstacles", list_obstacles},
+                              Listing{"patterns", list_patterns},
+                              Listing{"membranes", list_membranes},
+                              Listing{"lab", list_lab}};
 
 }  // namespace
 

@@ -53,6 +53,12 @@ struct StabilityRequest {
     bool quiet = false;
 };
 
+struct LabRequest {
+    std::vector<std::string> experiments;  // none = all
+    std::string out;                       // "" = renders/lab
+    bool quiet = false;
+};
+
 struct CompareRequest {
     std::string result, reference;
     std::vector<std::string> limits;  // KEY=VALUE, keys as compare/metrics.h has them

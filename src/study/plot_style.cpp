@@ -15,7 +15,11 @@ constexpr std::array dots{7, 5, 9, 11, 13};  // disc, square, triangles, diamond
 
 PlotStyle plot_style(const Method& method) {
     const auto row = static_cast<size_t>(&method - methods().data());
-    return {colours[row % colours.size()], method.is_implicit() ? 2 : 1, dots[row % dots.size()]};
+    return {plot_colour(row), method.is_implicit() ? 2 : 1, dots[row % dots.size()]};
+}
+
+std::string plot_colour(size_t row) {
+    return colours[row % colours.size()];
 }
 
 std::string plot_quoted(const std::string& text) {

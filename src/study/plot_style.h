@@ -1,4 +1,4 @@
-// How each method is drawn, the same in every plot.
+// How methods, and rows of other tables, are drawn, the same in every plot.
 #pragma once
 
 #include <string>
@@ -14,6 +14,9 @@ struct PlotStyle {
 };
 
 PlotStyle plot_style(const Method& method);
+
+// The colour of row `row` of any table; after nine they repeat.
+std::string plot_colour(size_t row);
 
 // Text between gnuplot's single quotes, on one line.
 std::string plot_quoted(const std::string& text);

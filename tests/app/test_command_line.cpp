@@ -39,7 +39,7 @@ TEST_CASE("wrong usage is one line and exit 2", "[app]") {
         std::vector<std::string> arguments;
         std::string says;
     } cases[] = {
-        {{}, "render, simulate, inspect, study, stability, compare, video, mesh, list"},
+        {{}, "render, simulate, inspect, study, stability, lab, compare, video, mesh, list"},
         {{"rendr", "x.toml"}, "did you mean \"render\"?"},
         {{"simulate"}, "SCENE is required"},
         {{"simulate", "sphere_drop", "--stepp", "1"}, "did you mean \"--step\"?"},
@@ -119,7 +119,7 @@ TEST_CASE("help and version are answered, exit 0", "[app]") {
     const Ran help = run_drape({"--help"});
     CHECK(help.exit_code == 0);
     for (const std::string verb :
-         {"render", "simulate", "inspect", "study", "stability", "video", "mesh", "list"})
+         {"render", "simulate", "inspect", "study", "stability", "lab", "video", "mesh", "list"})
         CHECK_THAT(help.out, Catch::Contains(verb));
     CHECK(run_drape({"render", "--help"}).exit_code == 0);
     CHECK_THAT(run_drape({"--version"}).out, Catch::StartsWith("drape "));

@@ -32,6 +32,7 @@ constexpr std::array table{
     Layer{"video", "picture io base"},
     Layer{"study",
           "compare report render scene toml io simulate integrate contact force obstacle cloth mesh base"},
+    Layer{"lab", "study scene io simulate integrate contact force obstacle cloth mesh base"},
     Layer{"app", "*"},
 };
 

@@ -1,0 +1,32 @@
+#include "lab/elastic.h"
+
+#include "force/kinds.h"
+
+namespace drape {
+
+std::vector<std::unique_ptr<Force>> elastic_forces(const Cloth& cloth) {
+    std::vector<std::unique_ptr<Force>> forces;
+    for (const auto make : {make_edge_springs, make_altitude_springs, make_membrane, make_bending})
+        if (MadeForce made = make(cloth, {}); made.force) forces.push_back(std::move(made.force));
+    return forces;
+}
+
+double energy_of(const std::vector<std::unique_ptr<Force>>& forces, In x) {
+    double energy = 0;
+    for (const auto& force : forces) energy += force->energy(x);
+    return energy;
+}
+
+Points forces_of(const std::vector<std::unique_ptr<Force>>& forces, In x) {
+    Points sum = Points::Zero(3, x.cols());
+    for (const auto& force : forces) force->add_conservative(x, sum);
+    return sum;
+}
+
+Model free_cloth(Mesh mesh, const Fabric& fabric) {
+    Model model;
+    add_cloth(model, make_cloth(std::move(mesh), fabric));
+    return model;
+}
+
+}  // namespace drape

@@ -1,0 +1,32 @@
+#include <algorithm>
+#include <array>
+
+#include "base/names.h"
+#include "lab/kinds.h"
+
+namespace drape {
+
+namespace {
+
+constexpr std::array table{
+    Experiment{"anisotropy", "how stiff each mesh pattern is by direction, in stretch and in shear",
+               run_anisotropy},
+};
+
+}  // namespace
+
+std::span<const Experiment> experiments() {
+    return table;
+}
+
+std::vector<const Experiment*> experiments_named(std::span<const std::string> names) {
+    std::vector<const Experiment*> wanted;
+    for (const std::string& name : names) find_named(table, "experiment", name);
+    for (const Experiment& experiment : table) {
+        const bool asked = std::find(names.begin(), names.end(), experiment.name) != names.end();
+        if (names.empty() || asked) wanted.push_back(&experiment);
+    }
+    return wanted;
+}
+
+}  // namespace drape

@@ -1,0 +1,10 @@
+// Every experiment, for the table in experiments.cpp.
+#pragma once
+
+#include "lab/experiment.h"
+
+namespace drape {
+
+LabResult run_anisotropy();
+
+}  // namespace drape
