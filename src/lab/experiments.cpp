@@ -11,6 +11,7 @@ namespace {
 constexpr std::array table{
     Experiment{"anisotropy", "how stiff each mesh pattern is by direction, in stretch and in shear",
                run_anisotropy},
+    Experiment{"compression", "what one triangle answers as it is pushed through its base", run_compression},
 };
 
 }  // namespace

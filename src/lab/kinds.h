@@ -6,5 +6,6 @@
 namespace drape {
 
 LabResult run_anisotropy();
+LabResult run_compression();
 
 }  // namespace drape
