@@ -12,6 +12,8 @@ constexpr std::array table{
     Experiment{"anisotropy", "how stiff each mesh pattern is by direction, in stretch and in shear",
                run_anisotropy},
     Experiment{"compression", "what one triangle answers as it is pushed through its base", run_compression},
+    Experiment{"erratum", "an altitude's force shared as the notes print it, and as a lever has it",
+               run_erratum},
 };
 
 }  // namespace

@@ -7,5 +7,6 @@ namespace drape {
 
 LabResult run_anisotropy();
 LabResult run_compression();
+LabResult run_erratum();
 
 }  // namespace drape
