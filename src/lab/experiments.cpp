@@ -14,6 +14,8 @@ constexpr std::array table{
     Experiment{"compression", "what one triangle answers as it is pushed through its base", run_compression},
     Experiment{"erratum", "an altitude's force shared as the notes print it, and as a lever has it",
                run_erratum},
+    Experiment{"jumps", "where `shortest` changes its altitude its force jumps; that of `blend` does not",
+               run_jumps},
 };
 
 }  // namespace

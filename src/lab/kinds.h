@@ -8,5 +8,6 @@ namespace drape {
 LabResult run_anisotropy();
 LabResult run_compression();
 LabResult run_erratum();
+LabResult run_jumps();
 
 }  // namespace drape
