@@ -25,23 +25,23 @@ constexpr double stretch = 100;  // [N/m], or [N] per strain
 constexpr int divisions = 52;    // of the sheets whose curves are drawn: 60 rows of equilateral triangles fit
 constexpr std::array fineness{8, 12, 16, 24, 32, 48, 64};
 constexpr std::uint64_t seeds = 5;  // of irregular sheets, for each fineness
-constexpr double good = 1.1;        // most over least, as the eye stops to see it
+constexpr double good = 1.1;        // most over least that counts as alike in every direction
 
 // Most over least modulus in stretch of irregular sheets of one fineness.
 struct FinenessRow {
-    std::string stuff;
+    std::string law;
     int divisions;
     double least = INFINITY, most = 0, mean = 0;
 };
 
-std::vector<FinenessRow> measure_fineness(const std::vector<Stuff>& all) {
+std::vector<FinenessRow> measure_fineness(const std::vector<Law>& all) {
     std::vector<FinenessRow> rows;
-    for (const Stuff& stuff : all) {
-        if (stuff.fabric.membrane != MembraneKind::none) continue;
+    for (const Law& law : all) {
+        if (law.fabric.membrane != MembraneKind::none) continue;
         for (const int count : fineness) {
-            FinenessRow row{stuff.name, count};
+            FinenessRow row{law.name, count};
             for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-                const double ratio = pattern_stiffness("pseudo_random", stuff, count, seed).stretch.ratio();
+                const double ratio = pattern_stiffness("pseudo_random", law, count, seed).stretch.ratio();
                 row.least = std::min(row.least, ratio);
                 row.most = std::max(row.most, ratio);
                 row.mean += ratio / static_cast<double>(seeds);
@@ -71,7 +71,7 @@ std::vector<std::array<double, 2>> polar(const DirectionCurve& curve) {
     return points;
 }
 
-// Circles of 0.5 and 1.5, rays, and the ideal circle.
+// No axes, one reach for all.
 std::string polar_panel(double reach) {
     return cat("unset border\nunset tics\nunset key\nunset grid\nset parametric\nset trange [0:2*pi]\n",
                "set samples 200\nset xrange [", -reach, ":", reach, "]\nset yrange [", -reach, ":", reach,
@@ -87,7 +87,7 @@ std::string legend(const std::vector<std::string>& names) {
     return text;
 }
 
-LabFigure polar_figure(const std::vector<PatternStiffness>& all, const std::vector<Stuff>& kinds) {
+LabFigure polar_figure(const std::vector<PatternStiffness>& all, const std::vector<Law>& kinds) {
     const std::vector<std::string> patterns = names_of(pattern_kinds());
     PanelGrid grid{static_cast<int>(kinds.size()), 2, 270, 270};
     grid.left = 46, grid.right = 20, grid.across = 16, grid.down = 44, grid.top = 92, grid.bottom = 60;
@@ -116,7 +116,7 @@ LabFigure polar_figure(const std::vector<PatternStiffness>& all, const std::vect
                 "1.5*cos(t),1.5*sin(t) with lines lc rgb '#e2e2e2' notitle";
             for (size_t p = 0; p < patterns.size(); ++p) {
                 const auto one = std::find_if(all.begin(), all.end(), [&](const PatternStiffness& row) {
-                    return row.pattern == patterns[p] && row.stuff == kinds[k].name;
+                    return row.pattern == patterns[p] && row.law == kinds[k].name;
                 });
                 const std::string name = cat(shear ? "g" : "e", k, "_", p);
                 figure.data += data_block(name, polar(shear ? one->shear : one->stretch));
@@ -144,17 +144,17 @@ LabFigure fineness_figure(const std::vector<FinenessRow>& rows) {
                          "set logscale x\nset xtics (8,12,16,24,32,48,64)\nset xrange [7.4:70]\n"
                          "set xlabel 'quads along a side'\nset ylabel 'most over least modulus'\n"};
     std::string plot = cat("plot ", good, " with lines lc rgb '#000000' dt (6,4) notitle");
-    std::string stuff;
+    std::string law;
     size_t colour = 0;
     for (size_t i = 0; i < rows.size();) {
         const std::string name = cat("f", colour);
         std::string data = cat("$", name, " << EOD\n");
-        for (stuff = rows[i].stuff; i < rows.size() && rows[i].stuff == stuff; ++i)
+        for (law = rows[i].law; i < rows.size() && rows[i].law == law; ++i)
             data += cat(rows[i].divisions * (0.98 + 0.02 * static_cast<double>(colour)), " ", rows[i].mean,
                         " ", rows[i].least, " ", rows[i].most, "\n");
         figure.data += data + "EOD\n";
         plot += cat(", $", name, " using 1:2 with lines lw 2 lc rgb '", plot_colour(colour), "' title ",
-                    plot_quoted(stuff), ", $", name, " with yerrorbars pt 7 ps 0.6 lw 1.4 lc rgb '",
+                    plot_quoted(law), ", $", name, " with yerrorbars pt 7 ps 0.6 lw 1.4 lc rgb '",
                     plot_colour(colour), "' notitle");
         ++colour;
     }
@@ -163,12 +163,12 @@ LabFigure fineness_figure(const std::vector<FinenessRow>& rows) {
 }
 
 LabTable pattern_table(const std::vector<PatternStiffness>& all) {
-    LabTable table{{"stuff", "pattern", "stretch, most / least", "shear, most / least",
+    LabTable table{{"law", "pattern", "stretch, most / least", "shear, most / least",
                     "mean stretch modulus [N/m]", "mean shear modulus [N/m]"},
                    {},
                    2};
     for (const PatternStiffness& one : all)
-        table.rows.push_back({one.stuff, one.pattern, ratio_text(one.stretch.ratio()),
+        table.rows.push_back({one.law, one.pattern, ratio_text(one.stretch.ratio()),
                               ratio_text(one.shear.ratio()), figure(one.stretch.mean, 4),
                               figure(one.shear.mean, 4)});
     return table;
@@ -178,40 +178,40 @@ LabTable fineness_table(const std::vector<FinenessRow>& rows) {
     LabTable table{
         {"pseudo_random", "quads along a side", "stretch, most / least: mean", "least", "most"}, {}, 1};
     for (const FinenessRow& row : rows)
-        table.rows.push_back({row.stuff, figure(row.divisions, 2), ratio_text(row.mean),
-                              ratio_text(row.least), ratio_text(row.most)});
+        table.rows.push_back({row.law, figure(row.divisions, 2), ratio_text(row.mean), ratio_text(row.least),
+                              ratio_text(row.most)});
     return table;
 }
 
 std::string curves_csv(const std::vector<PatternStiffness>& all) {
-    std::string text = "stuff,pattern,direction_deg,stretch_modulus_n_per_m,shear_modulus_n_per_m\n";
+    std::string text = "law,pattern,direction_deg,stretch_modulus_n_per_m,shear_modulus_n_per_m\n";
     for (const PatternStiffness& one : all)
         for (size_t i = 0; i < one.stretch.value.size(); ++i)
-            text += cat(csv_text(one.stuff), ",", one.pattern, ",", one.stretch.angle_deg[i], ",",
+            text += cat(csv_text(one.law), ",", one.pattern, ",", one.stretch.angle_deg[i], ",",
                         csv_number(one.stretch.value[i]), ",", csv_number(one.shear.value[i]), "\n");
     return text;
 }
 
 std::string fineness_csv(const std::vector<FinenessRow>& rows) {
-    std::string text = "stuff,quads_along_a_side,sheets,mean_ratio,least_ratio,most_ratio\n";
+    std::string text = "law,quads_along_a_side,sheets,mean_ratio,least_ratio,most_ratio\n";
     for (const FinenessRow& row : rows)
-        text += cat(csv_text(row.stuff), ",", row.divisions, ",", seeds, ",", csv_number(row.mean), ",",
+        text += cat(csv_text(row.law), ",", row.divisions, ",", seeds, ",", csv_number(row.mean), ",",
                     csv_number(row.least), ",", csv_number(row.most), "\n");
     return text;
 }
 
 // The notes' own springs, the finest irregular sheets of them, and the worst finite elements.
 std::string claim_of(const std::vector<PatternStiffness>& all, const std::vector<FinenessRow>& rows,
-                     const std::vector<Stuff>& kinds) {
+                     const std::vector<Law>& kinds) {
     std::string text = "most over least modulus in stretch:";
     double worst_element = 1;
     for (const PatternStiffness& one : all) {
-        if (one.stuff == kinds.front().name && one.pattern != "pseudo_random")
+        if (one.law == kinds.front().name && one.pattern != "pseudo_random")
             text += cat(" ", one.pattern, " ", ratio_text(one.stretch.ratio()), ",");
-        if (one.stuff == kinds.back().name) worst_element = std::max(worst_element, one.stretch.ratio());
+        if (one.law == kinds.back().name) worst_element = std::max(worst_element, one.stretch.ratio());
     }
     for (const FinenessRow& row : rows)
-        if (row.stuff == kinds.front().name && row.divisions == fineness.back())
+        if (row.law == kinds.front().name && row.divisions == fineness.back())
             text +=
                 cat(" pseudo_random ", ratio_text(row.mean), " (", row.divisions, " x ", row.divisions, ")");
     return cat(text, "; finite elements ", ratio_text(worst_element), " on every pattern");
@@ -219,7 +219,7 @@ std::string claim_of(const std::vector<PatternStiffness>& all, const std::vector
 
 }  // namespace
 
-std::vector<Stuff> stuffs() {
+std::vector<Law> stretch_laws() {
     Fabric notes;
     notes.stretch = stretch;
     notes.stretch_model = StretchModel::force_per_strain;
@@ -235,19 +235,18 @@ std::vector<Stuff> stuffs() {
             {"finite elements", elements}};
 }
 
-PatternStiffness pattern_stiffness(std::string_view pattern, const Stuff& stuff, int count,
-                                   std::uint64_t seed) {
+PatternStiffness pattern_stiffness(std::string_view pattern, const Law& law, int count, std::uint64_t seed) {
     const Elasticity elasticity =
-        measure_elasticity(make_pattern(pattern, {1, 1, count, count, seed}), stuff.fabric);
-    return {std::string(pattern), stuff.name, stretch_curve(elasticity), shear_curve(elasticity)};
+        measure_elasticity(make_pattern(pattern, {1, 1, count, count, seed}), law.fabric);
+    return {std::string(pattern), law.name, stretch_curve(elasticity), shear_curve(elasticity)};
 }
 
 LabResult run_anisotropy() {
-    const std::vector<Stuff> kinds = stuffs();
+    const std::vector<Law> kinds = stretch_laws();
     std::vector<PatternStiffness> all;
-    for (const Stuff& stuff : kinds)
+    for (const Law& law : kinds)
         for (const PatternKind& pattern : pattern_kinds())
-            all.push_back(pattern_stiffness(pattern.name, stuff, divisions, 1));
+            all.push_back(pattern_stiffness(pattern.name, law, divisions, 1));
     const std::vector<FinenessRow> rows = measure_fineness(kinds);
     LabResult result;
     result.claim = claim_of(all, rows, kinds);

@@ -4,25 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "lab/elastic.h"
 #include "lab/elasticity.h"
 
 namespace drape {
 
-struct Stuff {
-    std::string name;
-    Fabric fabric;
-};
-
 // Edge springs as the lecture notes have them, as drape spreads them, with altitude springs; finite elements.
-std::vector<Stuff> stuffs();
+std::vector<Law> stretch_laws();
 
 struct PatternStiffness {
-    std::string pattern, stuff;
+    std::string pattern, law;
     DirectionCurve stretch, shear;
 };
 
 // One square sheet of about divisions^2 quads.
-PatternStiffness pattern_stiffness(std::string_view pattern, const Stuff& stuff, int divisions,
+PatternStiffness pattern_stiffness(std::string_view pattern, const Law& law, int divisions,
                                    std::uint64_t seed);
 
 }  // namespace drape

@@ -23,14 +23,6 @@ constexpr int samples_a_unit = 200;           // of the ratio
 constexpr double first = 1.2, last = -0.2;    // of the ratio
 constexpr double hair = 1e-6, inside = -0.1;  // ratios: just above the base, and well below it
 
-Mesh equilateral() {
-    Points rest(3, 3);
-    rest << -base / 2, base / 2, 0, 0, 0, 0, 0, 0, -base * std::sqrt(0.75);
-    Faces face(3, 1);
-    face << 0, 1, 2;
-    return plain_mesh(rest, face);
-}
-
 std::string verdict(double inverted) {
     constexpr double nothing = 1e-9;
     return std::abs(inverted) < nothing ? "no" : inverted > 0 ? "pushes back" : "pushes further";
@@ -105,10 +97,10 @@ std::string claim_of(const std::vector<CompressionCurve>& curves) {
 
 }  // namespace
 
-std::vector<CompressionLaw> compression_laws() {
+std::vector<Law> compression_laws() {
     Fabric edges;
     edges.stretch = stretch;
-    std::vector<CompressionLaw> laws{{"edges alone", edges}};
+    std::vector<Law> laws{{"edges alone", edges}};
     for (const auto& word : altitude_words) {
         if (word.choice == AltitudeMode::none) continue;
         Fabric fabric = edges;
@@ -125,7 +117,7 @@ std::vector<CompressionLaw> compression_laws() {
 }
 
 double resistance_at(const Fabric& fabric, double ratio) {
-    const Model model = free_cloth(equilateral(), fabric);
+    const Model model = free_cloth(lone_triangle(base, 0.5, std::sqrt(0.75)), fabric);
     const auto forces = elastic_forces(model.cloths.front());
     const Points& rest = model.cloths.front().mesh.rest;
     Points x = rest;
@@ -133,7 +125,7 @@ double resistance_at(const Fabric& fabric, double ratio) {
     return forces_of(forces, x).col(2).dot(rest.col(2).normalized()) / (stretch * base);
 }
 
-CompressionCurve compression_curve(const CompressionLaw& law) {
+CompressionCurve compression_curve(const Law& law) {
     CompressionCurve curve{law.name, {}, {}, 0, 0, 0};
     const int from = static_cast<int>(std::lround(first * samples_a_unit));
     const int to = static_cast<int>(std::lround(last * samples_a_unit));
@@ -155,7 +147,7 @@ CompressionCurve compression_curve(const CompressionLaw& law) {
 
 LabResult run_compression() {
     std::vector<CompressionCurve> curves;
-    for (const CompressionLaw& law : compression_laws()) curves.push_back(compression_curve(law));
+    for (const Law& law : compression_laws()) curves.push_back(compression_curve(law));
     LabResult result;
     result.claim = claim_of(curves);
     result.story = {

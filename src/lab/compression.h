@@ -4,17 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "cloth/fabric.h"
+#include "lab/elastic.h"
 
 namespace drape {
 
-struct CompressionLaw {
-    std::string name;
-    Fabric fabric;
-};
-
 // Edges alone, with each mode of altitude springs, and both membranes; all as stiff at rest.
-std::vector<CompressionLaw> compression_laws();
+std::vector<Law> compression_laws();
 
 struct Resistance {
     double ratio = 0;  // height of the apex over its height at rest; negative: beyond the base
@@ -33,6 +28,6 @@ struct CompressionCurve {
     double barrier = 0;  // work from rest to collapse, over stretch stiffness times base squared [-]
 };
 
-CompressionCurve compression_curve(const CompressionLaw& law);
+CompressionCurve compression_curve(const Law& law);
 
 }  // namespace drape

@@ -4,6 +4,14 @@
 
 namespace drape {
 
+Mesh lone_triangle(double base, double along, double above) {
+    Points rest(3, 3);
+    rest << -base / 2, base / 2, (along - 0.5) * base, 0, 0, 0, 0, 0, -above * base;
+    Faces face(3, 1);
+    face << 0, 1, 2;
+    return plain_mesh(rest, face);
+}
+
 std::vector<std::unique_ptr<Force>> elastic_forces(const Cloth& cloth) {
     std::vector<std::unique_ptr<Force>> forces;
     for (const auto make : {make_edge_springs, make_altitude_springs, make_membrane, make_bending})

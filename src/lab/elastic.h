@@ -2,13 +2,24 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "force/force.h"
 
 namespace drape {
 
-// The model has one cloth. `forces` do not outlive it.
+// A way for cloth to resist stretch, as a fabric says it.
+struct Law {
+    std::string name;
+    Fabric fabric;
+};
+
+// A triangle in the plane y = 0, its base along x and centred on the origin; the apex, its last corner,
+// stands above the place `along` the base, from 0 to 1, its height a share `above` of the base.
+Mesh lone_triangle(double base, double along, double above);
+
+// Of springs, altitudes, membrane and bending, those that the fabric has.
 std::vector<std::unique_ptr<Force>> elastic_forces(const Cloth& cloth);
 
 double energy_of(const std::vector<std::unique_ptr<Force>>& forces, In x);

@@ -1,7 +1,6 @@
 #include "lab/elasticity.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -90,19 +89,9 @@ void leave_middle(Cloth& cloth, const Middle& middle) {
 // or stiffer rim takes more or less of it.
 Eigen::Vector3d strain_in(const Middle& middle, const Mesh& mesh, const Points& move) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    const auto side = [&](const Points& points, int corner, int f) {
-        const Vec3 d = points.col(mesh.faces(corner, f)) - points.col(mesh.faces(0, f));
-        return Eigen::Vector2d(d.x(), d.z());
-    };
-    for (int f = 0; f < mesh.triangles(); ++f) {
-        if (!middle.counts[static_cast<size_t>(f)]) continue;
-        Eigen::Matrix2d rest, moved;
-        rest << side(mesh.rest, 1, f), side(mesh.rest, 2, f);
-        moved << side(move, 1, f), side(move, 2, f);
-        const Eigen::Matrix2d gradient = moved * rest.inverse();
-        sum += middle.areas[static_cast<size_t>(f)] *
-               Eigen::Vector3d(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
-    }
+    for (int f = 0; f < mesh.triangles(); ++f)
+        if (middle.counts[static_cast<size_t>(f)])
+            sum += middle.areas[static_cast<size_t>(f)] * strain_of(mesh, f, move);
     return sum / middle.area;
 }
 
@@ -115,14 +104,13 @@ BlockMatrix stiffness_of(const Model& model) {
     return matrix;
 }
 
-PinGroup border_of(const Cloth& cloth) {
-    PinGroup border;
-    for (const std::vector<int>& loop : cloth.topology.boundary_loops)
-        border.vertices.insert(border.vertices.end(), loop.begin(), loop.end());
-    border.anchors.resize(3, static_cast<Eigen::Index>(border.vertices.size()));
-    for (size_t i = 0; i < border.vertices.size(); ++i)
-        border.anchors.col(static_cast<Eigen::Index>(i)) = cloth.mesh.rest.col(border.vertices[i]);
-    return border;
+PinGroup pins_at(const Cloth& cloth, const std::vector<int>& vertices) {
+    PinGroup pins;
+    pins.vertices = vertices;
+    pins.anchors.resize(3, static_cast<Eigen::Index>(vertices.size()));
+    for (size_t i = 0; i < vertices.size(); ++i)
+        pins.anchors.col(static_cast<Eigen::Index>(i)) = cloth.mesh.rest.col(vertices[i]);
+    return pins;
 }
 
 }  // namespace
@@ -145,28 +133,46 @@ DirectionCurve shear_curve(const Elasticity& elasticity) {
     return curve_of(elasticity, &Elasticity::shear_modulus);
 }
 
-// With the affine move u of all vertices the inner ones shift by w besides: K_ii w = -(K u)_i.
-Elasticity measure_elasticity(const Mesh& sheet, const Fabric& fabric) {
-    Model free = free_cloth(sheet, fabric);
+Eigen::Vector3d strain_of(const Mesh& mesh, int triangle, const Points& move) {
+    const auto side = [&](const Points& points, int corner) {
+        const Vec3 d = points.col(mesh.faces(corner, triangle)) - points.col(mesh.faces(0, triangle));
+        return Eigen::Vector2d(d.x(), d.z());
+    };
+    Eigen::Matrix2d rest, moved;
+    rest << side(mesh.rest, 1), side(mesh.rest, 2);
+    moved << side(move, 1), side(move, 2);
+    const Eigen::Matrix2d gradient = moved * rest.inverse();
+    return {gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0)};
+}
+
+// With the move u of all vertices the free ones shift by w besides: K_ff w = -(K u)_f.
+std::vector<Points> settle(const Model& free, const std::vector<int>& held, std::vector<Points> moves) {
+    Model pinned = free;
+    add_pins(pinned, pins_at(pinned.cloths.front(), held));
     const BlockMatrix whole = stiffness_of(free);
-    Model held = free;
-    add_pins(held, border_of(held.cloths.front()));
-    BlockMatrix inner = stiffness_of(held);
+    BlockMatrix inner = stiffness_of(pinned);
     inner.add_masses(softness * whole.lower().diagonal().maxCoeff() / free.mass.maxCoeff());
     // the vertices are numbered for a sparse factor already
     const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(
         inner.lower());
     DRAPE_ASSERT(factor.info() == Eigen::Success);
-
-    std::array<Points, 3> move;
-    for (size_t i = 0; i < 3; ++i) {
-        const Points affine = strained(sheet.rest, static_cast<int>(i));
-        Eigen::VectorXd pull;
-        inner.gather(whole.multiply(affine), pull);
-        Points shift(3, sheet.vertices());
+    Eigen::VectorXd pull;
+    Points shift(3, free.vertices());
+    for (Points& move : moves) {
+        inner.gather(whole.multiply(move), pull);
         inner.scatter(factor.solve(pull), shift);
-        move[i] = affine - shift;
+        move -= shift;
     }
+    return moves;
+}
+
+Elasticity measure_elasticity(const Mesh& sheet, const Fabric& fabric) {
+    Model free = free_cloth(sheet, fabric);
+    std::vector<int> border;
+    for (const std::vector<int>& loop : free.cloths.front().topology.boundary_loops)
+        border.insert(border.end(), loop.begin(), loop.end());
+    const std::vector<Points> move =
+        settle(free, border, {strained(sheet.rest, 0), strained(sheet.rest, 1), strained(sheet.rest, 2)});
     const Middle middle(free.cloths.front());
     leave_middle(free.cloths.front(), middle);
     const BlockMatrix counted = stiffness_of(free);

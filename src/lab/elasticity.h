@@ -28,6 +28,13 @@ struct DirectionCurve {
 DirectionCurve stretch_curve(const Elasticity& elasticity);
 DirectionCurve shear_curve(const Elasticity& elasticity);
 
+// (exx, eyy, gxy) of a triangle of a sheet in the plane y = 0 whose vertices make a small move.
+Eigen::Vector3d strain_of(const Mesh& mesh, int triangle, const Points& move);
+
+// Where all vertices of such a sheet go when those `held` make each of these small moves [m]: the others come
+// to rest. Linear, in the cloth's plane.
+std::vector<Points> settle(const Model& free, const std::vector<int>& held, std::vector<Points> moves);
+
 // The virtual test: the border of a flat sheet in the plane y = 0 is moved by a small affine strain, the
 // vertices inside come to rest, and the energy and the strain in the middle of the sheet, away from the
 // border, are those of a uniform material. Linear: the forces' stiffness matrices at rest.

@@ -23,20 +23,12 @@ constexpr double side = 0.1;          // [m]
 constexpr double lasts = 0.4;         // a run [s]
 constexpr double drawn = 0.15;        // of it [s]
 constexpr double stretched = 0.1;     // along the first side
-constexpr double step = 2e-5;         // [s], a five hundredth of the vibration
+constexpr double step = 2e-5;         // [s], a four hundredth of the vibration
 constexpr int every = 20;             // steps a sample
 constexpr double run_away = 1e3;      // energy over that at the start
 constexpr int loop_steps = 2000;      // of the midpoint rule, which is exact enough
 constexpr double loop_radius = 0.15;  // of the apex's circle, over the side
 constexpr std::array sharings{FootSharing::lever, FootSharing::notes};
-
-Mesh mesh_of(const TriangleShape& shape) {
-    Points rest(3, 3);
-    rest << 0, side, shape.along * side, 0, 0, 0, 0, 0, -shape.above * side;
-    Faces face(3, 1);
-    face << 0, 1, 2;
-    return plain_mesh(rest, face);
-}
 
 Fabric with_altitudes() {
     Fabric fabric;
@@ -135,7 +127,7 @@ std::vector<TriangleShape> erratum_shapes() {
 }
 
 FreeTriangle free_triangle(const TriangleShape& shape, FootSharing sharing, double duration) {
-    const Model model = free_cloth(mesh_of(shape), with_altitudes());
+    const Model model = free_cloth(lone_triangle(side, shape.along, shape.above), with_altitudes());
     const Cloth& cloth = model.cloths.front();
     const auto forces = forces_with(cloth, sharing);
     Motion motion{cloth.mass, cloth.mesh.rest, Points::Zero(3, 3)};
@@ -163,7 +155,7 @@ FreeTriangle free_triangle(const TriangleShape& shape, FootSharing sharing, doub
 }
 
 double work_round_loop(const TriangleShape& shape, FootSharing sharing) {
-    const Model model = free_cloth(mesh_of(shape), with_altitudes());
+    const Model model = free_cloth(lone_triangle(side, shape.along, shape.above), with_altitudes());
     const AltitudeSprings altitudes(model.cloths.front(), sharing);
     const Points& rest = model.cloths.front().mesh.rest;
     const auto shape_at = [&](double turn) {

@@ -34,7 +34,7 @@ Mesh triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 Mesh equilateral() {
-    return triangle({-base / 2, 0, 0}, {base / 2, 0, 0}, {0, 0, -base * std::sqrt(0.75)});
+    return lone_triangle(base, 0.5, std::sqrt(0.75));
 }
 
 // Altitude springs alone, of one triangle.

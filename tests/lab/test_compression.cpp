@@ -28,7 +28,7 @@ TEST_CASE("edges alone weaken to nothing at collapse and push an inverted triang
 }
 
 TEST_CASE("every law starts from rest without force and is odd in the height", "[lab]") {
-    for (const CompressionLaw& law : compression_laws()) {
+    for (const Law& law : compression_laws()) {
         CAPTURE(law.name);
         CHECK(std::abs(resistance_at(law.fabric, 1)) < 1e-12);
         CHECK(resistance_at(law.fabric, 1.1) < 0);
@@ -39,7 +39,7 @@ TEST_CASE("every law starts from rest without force and is odd in the height", "
 }
 
 TEST_CASE("altitude springs still push at collapse and make it dearer", "[lab]") {
-    const std::vector<CompressionLaw> laws = compression_laws();
+    const std::vector<Law> laws = compression_laws();
     const CompressionCurve edges = compression_curve(laws.front());
     for (size_t i = 1; i < laws.size(); ++i) {
         if (laws[i].fabric.altitude == AltitudeMode::none) continue;
