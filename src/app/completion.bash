@@ -31,7 +31,7 @@ _drape() {
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
-        lab) words="anisotropy compression erratum jumps --out --quiet --help" ;;
+        lab) words="anisotropy density compression erratum jumps --out --quiet --help" ;;
         compare) words="--share --mean --rms --limit --ignore --perceptual --hausdorff --html --json --junit --accept --quiet --help" ;;
         video) words="--out --fps --speed --boomerang --loop --caption --no-caption --width --side-by-side --label --columns --difference --quiet --help" ;;
         mesh) words="one_way alternating crossed equilateral pseudo_random -o --size --divisions --seed --help" ;;

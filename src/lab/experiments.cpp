@@ -11,6 +11,7 @@ namespace {
 constexpr std::array table{
     Experiment{"anisotropy", "how stiff each mesh pattern is by direction, in stretch and in shear",
                run_anisotropy},
+    Experiment{"density", "how much stronger the finer half of a strip is, by stiffness model", run_density},
     Experiment{"compression", "what one triangle answers as it is pushed through its base", run_compression},
     Experiment{"erratum", "an altitude's force shared as the notes print it, and as a lever has it",
                run_erratum},

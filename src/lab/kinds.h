@@ -6,6 +6,7 @@
 namespace drape {
 
 LabResult run_anisotropy();
+LabResult run_density();
 LabResult run_compression();
 LabResult run_erratum();
 LabResult run_jumps();
