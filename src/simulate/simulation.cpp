@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "simulate/reach.h"
+#include "simulate/strain.h"
 
 namespace drape {
 
@@ -14,12 +15,7 @@ namespace {
 constexpr double margin = 0.85;          // of the longest stable step that is used
 constexpr double widest_margin = 0.98;   // ... by a pass that is there to be coarser
 constexpr double measured_excess = 1.1;  // measured modes are taken to be this much faster, more damped
-
-Points rest_pose(const Model& model) {
-    Points x(3, model.vertices());
-    for (const Cloth& cloth : model.cloths) x.middleCols(cloth.first, cloth.vertices()) = cloth.mesh.rest;
-    return x;
-}
+constexpr double near_rest = 0.5;        // the largest strain at which damping is measured
 
 std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
     return model.cloths.size() > 1 ? cat(stage, " (cloth ", cloth + 1, ")") : std::string(stage);
@@ -46,7 +42,6 @@ void Simulation::take_method(std::string_view method, std::string because) {
     // where springs project, nobody counts what moving pins pull at them
     const bool drive = !method_->projects_springs || !has_moving_pins(setup_.model);
     guard_.emplace(*dynamics_, setup_.world.gravity, Books{drive, !method_->projects_springs});
-    rest_gamma_ = measured_gamma(*dynamics_, rest_pose(setup_.model), method_->explicit_share());
     choose_step();
 }
 
@@ -97,9 +92,10 @@ void Simulation::choose_step() {
     guaranteed_ = method_->longest_step(spectrum_);
     spectrum_.omega =
         std::min(spectrum_.omega, measured_excess * measured_omega(*dynamics_, state_.x, share));
-    // a cloth that starts as a point damps nothing yet
-    const double gamma = std::max(measured_gamma(*dynamics_, state_.x, share), rest_gamma_);
-    spectrum_.gamma = std::min(spectrum_.gamma, measured_excess * gamma);
+    // far from rest the next pose is unlike this one: a cloth that starts as a point damps nothing yet
+    if (largest_strain(setup_.model, state_.x) < near_rest)
+        spectrum_.gamma =
+            std::min(spectrum_.gamma, measured_excess * measured_gamma(*dynamics_, state_.x, share));
     longest_ = method_->longest_step(spectrum_);
     const double usual = usual_step(*method_);
     double wanted = setup_.step.value_or(usual);

@@ -130,7 +130,6 @@ private:
     std::string chosen_because_;
     std::unique_ptr<Integrator> integrator_;
     Spectrum spectrum_;
-    double rest_gamma_ = 0;  // of the rest shape [1/s]
     double step_ = 0, longest_ = 0, guaranteed_ = 0, lifted_ = 0;
     double pace_ = 1;                 // the step over the one a run that asks for nothing would take
     double left_out_gap_ = INFINITY;  // to the nearest obstacle that was left out as out of reach [m]

@@ -116,6 +116,9 @@ FrameReport Simulation::try_frame() {
         const double h = wanted > instant * end_time ? guarded_step(wanted, report) : 0;
         ++report.steps;
         report.shortest_step = std::min(report.shortest_step, h);
+        // so fast that no step is short enough, without contact
+        runs_away_ = h == 0 && !(wanted > instant * end_time) && dynamics_->touch().contacts == 0;
+        if (runs_away_) break;
         if (h == 0) {
             report.trouble = why_no_step(*dynamics_, state_.time);
             return report;

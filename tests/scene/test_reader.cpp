@@ -111,8 +111,8 @@ TEST_CASE("an unknown key is refused at its place and the nearest known one is n
 TEST_CASE("fewer than one frame, or far too many, is refused", "[scene]") {
     CHECK(error_of(with_cloth("[scene]\nduration = \"10 ms\"\n")) ==
           "scene.toml:4:1: duration times frame_rate is 0.3 frames (at least 1)");
-    CHECK(error_of(with_cloth("[scene]\nduration = 1e300\n")) ==
-          "scene.toml:4:1: duration times frame_rate is 3e+301 frames (at most 1e+06)");
+    CHECK(error_of(with_cloth("[scene]\nduration = 1e14\n")) ==
+          "scene.toml:4:1: duration times frame_rate is 3e+15 frames (at most 1e+06)");
     CHECK(error_of(with_cloth("[scene]\nduration = 0\n")) ==
           "scene.toml:5:12: duration must be positive, got 0 s");
     CHECK(error_of(with_cloth("[scene]\nframe_rate = -30\n")) ==

@@ -19,7 +19,7 @@ step = "7 us"
 [[cloth]]
 mesh = "m.obj"
 place = { rotate_deg = [10, 20, 30.1] }
-start = { mesh = "s.obj", velocity = [1e20, 0, 0] }
+start = { mesh = "s.obj", velocity = [1e15, 0, 0] }
 fabric = { preset = "wool", bending = 0, stretch = { model = "spring_constant", value = 3 } }
 pins = [{ near = [0, 1, 0], within = "2 cm" }, { box = [[1, 1, 1], [0, 0, 0]], rigid = true, about = [0, 0, 0] },
         { boundary = 1, motion = [{ t = 0 }, { t = "0.1 s", translate = [0, "1 mm", 0] }] }]
