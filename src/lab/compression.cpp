@@ -23,6 +23,11 @@ constexpr int samples_a_unit = 200;           // of the ratio
 constexpr double first = 1.2, last = -0.2;    // of the ratio
 constexpr double hair = 1e-6, inside = -0.1;  // ratios: just above the base, and well below it
 
+// What lies at collapse is measured a hair above it.
+double near(double value) {
+    return std::abs(value) < 10 * hair ? 0 : value;
+}
+
 std::string verdict(double inverted) {
     constexpr double nothing = 1e-9;
     return std::abs(inverted) < nothing ? "no" : inverted > 0 ? "pushes back" : "pushes further";
@@ -34,8 +39,8 @@ LabFigure resistance_figure(const std::vector<CompressionCurve>& curves) {
     LabFigure figure{
         "compression",
         "Force on the apex towards its place at rest, over stretch stiffness times base, against "
-        "its height over that at rest. The base is held. Right of 0 the triangle is compressed; "
-        "left of it the apex is through the base, and a force below 0 pushes it further.",
+        "its height over that at rest. The base is held. Left of 0 the triangle is compressed; right of it "
+        "the apex is through the base, and a force below 0 pushes it further.",
         grid.width(),
         grid.height(),
         "",
@@ -70,8 +75,8 @@ LabTable law_table(const std::vector<CompressionCurve>& curves) {
                    2};
     for (const CompressionCurve& curve : curves)
         table.rows.push_back({curve.law, verdict(curve.inverted), figure(curve.peak.force),
-                              figure(curve.peak.ratio, 2), figure(curve.at_collapse), figure(curve.inverted),
-                              figure(curve.barrier)});
+                              figure(near(curve.peak.ratio), 2), figure(near(curve.at_collapse)),
+                              figure(curve.inverted), figure(curve.barrier)});
     return table;
 }
 

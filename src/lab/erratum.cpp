@@ -67,15 +67,15 @@ std::vector<std::array<double, 2>> pairs(const std::vector<double>& x, const std
 
 LabFigure erratum_figure(const std::array<FreeTriangle, 2>& runs) {
     PanelGrid grid{2, 1, 400, 320};
-    LabFigure figure{
-        "erratum",
-        "A free triangle, stretched by a tenth and let go. Left its energy over that at the start, "
-        "right its angular momentum over the most that this energy could turn into.",
-        grid.width(),
-        grid.height(),
-        "",
-        grid.begin("How an altitude spring's force is shared") + plain_panel() +
-            cat("set xrange [0:", drawn, "]\nset xlabel 'time [s]'\nset key left top\n")};
+    LabFigure figure{"erratum",
+                     "A free right-angled triangle, stretched by a tenth and let go. Left its energy over "
+                     "that at the start, "
+                     "right its angular momentum over the most that this energy could turn into.",
+                     grid.width(),
+                     grid.height(),
+                     "",
+                     grid.begin("How an altitude spring's force is shared") + plain_panel() +
+                         cat("set xrange [0:", drawn, "]\nset xlabel 'time [s]'\nset key left top\n")};
     const auto panel = [&](const std::string& label, const std::string& name) {
         figure.plot +=
             cat("set ylabel ", plot_quoted(label), "\nplot $", name, "1 using 1:2 with lines lw 2 lc rgb '",

@@ -19,7 +19,7 @@ std::string chapter_text(const LabChapter& chapter) {
     std::string files;
     for (const LabCsv& csv : result.csv) files += cat(files.empty() ? "" : ", ", csv.file, ".csv");
     return section(cat(name, ": ", chapter.experiment->summary),
-                   body + paragraph(cat("Figures beside this page: ", files, ".")));
+                   body + paragraph(cat("In numbers, beside this page: ", files, ".")));
 }
 
 }  // namespace
