@@ -1,0 +1,61 @@
+#include "references/changes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace drape::test {
+
+namespace {
+
+constexpr double millimetre = 1e-3;
+
+// All vertices within 10 cm of the one nearest to the camera move towards it, that one by 1 mm, the others by
+// less: half as far at half the distance.
+Image bumped(Moment moment) {
+    const Vec3 eye = moment.drawn.settings.camera.from;
+    Vec3 top = Vec3::Constant(std::numeric_limits<double>::infinity());
+    for (const Points& cloth : moment.input.cloth)
+        for (const auto& x : cloth.colwise())
+            if ((x - eye).norm() < (top - eye).norm() || !top.allFinite()) top = x;
+    const Vec3 towards = (eye - top).normalized();
+    constexpr double radius = 0.1;  // [m]
+    for (Points& cloth : moment.input.cloth)
+        for (auto x : cloth.colwise())
+            x += millimetre * std::max(0.0, 1 - (x - top).norm() / radius) * towards;
+    return picture_of(moment);
+}
+
+Image with_cloth_moved(Moment moment) {
+    for (Points& cloth : moment.input.cloth) cloth.row(0).array() += millimetre;
+    return picture_of(moment);
+}
+
+Image with_camera_moved(Moment moment) {
+    moment.drawn.settings.camera.from.x() += 5 * millimetre;
+    return picture_of(moment);
+}
+
+// 2 % less light from every pixel; levels are those of sRGB (IEC 61966-2-1), where light is about their power
+// of 2.2.
+Image dimmer(Moment moment) {
+    Image image = picture_of(moment);
+    for (std::uint8_t& level : image.rgb)
+        level = static_cast<std::uint8_t>(std::lround(level * std::pow(0.98, 1 / 2.2)));
+    return image;
+}
+
+constexpr std::array table{
+    Change{"a bump of 1 mm", [](const Moment& moment) { return bumped(moment); }},
+    Change{"the cloth moved by 1 mm", [](const Moment& moment) { return with_cloth_moved(moment); }},
+    Change{"the camera moved by 5 mm", [](const Moment& moment) { return with_camera_moved(moment); }},
+    Change{"2 % less light", [](const Moment& moment) { return dimmer(moment); }}};
+
+}  // namespace
+
+std::span<const Change> changes() {
+    return table;
+}
+
+}  // namespace drape::test
