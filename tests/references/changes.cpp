@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace drape::test {
 
@@ -11,19 +10,18 @@ namespace {
 
 constexpr double millimetre = 1e-3;
 
-// All vertices within 10 cm of the one nearest to the camera move towards it, that one by 1 mm, the others by
-// less: half as far at half the distance.
+// The vertex nearest to the camera moves by 1 mm across the line of sight, to the right; those around it by
+// less, in proportion to how near they are to 10 cm away.
 Image bumped(Moment moment) {
     const Vec3 eye = moment.drawn.settings.camera.from;
-    Vec3 top = Vec3::Constant(std::numeric_limits<double>::infinity());
+    Vec3 top = moment.input.cloth.front().col(0);
     for (const Points& cloth : moment.input.cloth)
         for (const auto& x : cloth.colwise())
-            if ((x - eye).norm() < (top - eye).norm() || !top.allFinite()) top = x;
-    const Vec3 towards = (eye - top).normalized();
+            if ((x - eye).norm() < (top - eye).norm()) top = x;
+    const Vec3 right = (top - eye).cross(Vec3::UnitY()).normalized();
     constexpr double radius = 0.1;  // [m]
     for (Points& cloth : moment.input.cloth)
-        for (auto x : cloth.colwise())
-            x += millimetre * std::max(0.0, 1 - (x - top).norm() / radius) * towards;
+        for (auto x : cloth.colwise()) x += millimetre * std::max(0.0, 1 - (x - top).norm() / radius) * right;
     return picture_of(moment);
 }
 

@@ -35,9 +35,11 @@ Compared held(const Image& picture, const std::string& name) {
 }
 
 std::string told(const Compared& compared) {
-    return compared.picture ? cat(compared.picture->share_over * width * height, " pixels, ",
-                                  compared.picture->mean_levels, " levels")
-                            : std::string("nothing");
+    return compared.picture
+               ? cat(compared.picture->share_over * width * height, " pixels, ",
+                     compared.picture->mean_levels, " levels, ssim ", compared.perceived->ssim, ", flip ",
+                     compared.perceived->flip, ", density ", compared.picture->density)
+               : std::string("nothing");
 }
 
 std::vector<std::string> reference_names() {
@@ -87,7 +89,7 @@ TEST_CASE("demo scenes look as accepted, and changes of each are told from that"
     for (const Reference& reference : references()) {
         visit_moments(reference, [](const Moment& moment) {
             const Compared same = held(picture_of(moment), moment.name);
-            INFO(moment.name << ": " << same.why
+            INFO(moment.name << ": " << told(same) << " " << same.why
                              << "\nif this is meant: ninja -C build/checked references, and look at them");
             CHECK(same.passed());
             for (const Change& change : changes()) {
