@@ -1,4 +1,4 @@
-// Small changes that a picture's reference must be told apart from.
+// Small changes that references must be told apart from.
 #pragma once
 
 #include <span>
@@ -14,5 +14,8 @@ struct Change {
 };
 
 std::span<const Change> changes();
+
+// A cloth whose middle vertex is 1 mm higher, and those within 10 cm of it by as much less as they are away.
+Points bumped(const Points& cloth);
 
 }  // namespace drape::test
