@@ -16,6 +16,8 @@ constexpr double margin = 0.85;          // of the longest stable step that is u
 constexpr double widest_margin = 0.98;   // ... by a pass that is there to be coarser
 constexpr double measured_excess = 1.1;  // measured modes are taken to be this much faster, more damped
 constexpr double near_rest = 0.5;        // the largest strain at which damping is measured
+// Steps a frame that no damping would save: measuring it takes up to 25 sweeps and saves half of them.
+constexpr double worth_measuring = 50;
 
 std::string piece_of(const Model& model, std::string_view stage, size_t cloth) {
     return model.cloths.size() > 1 ? cat(stage, " (cloth ", cloth + 1, ")") : std::string(stage);
@@ -92,15 +94,19 @@ void Simulation::choose_step() {
     guaranteed_ = method_->longest_step(spectrum_);
     spectrum_.omega =
         std::min(spectrum_.omega, measured_excess * measured_omega(*dynamics_, state_.x, share));
-    // far from rest the next pose is unlike this one: a cloth that starts as a point damps nothing yet
-    if (largest_strain(setup_.model, state_.x) < near_rest)
+    const double frame_time = 1 / setup_.frame_rate;
+    const auto steps = [&](double gamma) {
+        return frame_time / (margin * method_->longest_step({spectrum_.omega, gamma}));
+    };
+    // Far from rest the next pose is unlike this one: a cloth that starts as a point damps nothing yet.
+    if (steps(spectrum_.gamma) - steps(0) > worth_measuring &&
+        largest_strain(setup_.model, state_.x) < near_rest)
         spectrum_.gamma =
             std::min(spectrum_.gamma, measured_excess * measured_gamma(*dynamics_, state_.x, share));
     longest_ = method_->longest_step(spectrum_);
     const double usual = usual_step(*method_);
     double wanted = setup_.step.value_or(usual);
     if (setup_.keep_stable && !method_->is_implicit()) wanted = std::min(wanted, margin * longest_);
-    const double frame_time = 1 / setup_.frame_rate;
     step_ = frame_time / (steps_a_frame(wanted) * std::exp2(halvings_));
     pace_ = step_ / std::min(usual, frame_time);
     // springs set no limit there, contact does

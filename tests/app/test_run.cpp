@@ -54,7 +54,7 @@ TEST_CASE("simulate leaves a report with every key of the contract, and no pictu
     CHECK(report["contact"]["deepest_penetration_m"] == 0);
     REQUIRE(report["frames"].size() == 4);
     CHECK(report["frames"][3]["time_s"] == Approx(0.4));
-    CHECK(report["energy"]["drift_j"].get<double>() == Approx(0).margin(8e-3));  // measured: 5.3e-3 of 0.66 J
+    CHECK(report["energy"]["drift_j"].get<double>() == Approx(0).margin(5e-3));  // measured: 4.1e-3 of 0.66 J
     bool told = false;
     for (const Json& stage : report["plan"]["left_out"]) told |= stage["stage"] == "pictures";
     CHECK(told);
