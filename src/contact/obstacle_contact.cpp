@@ -223,10 +223,10 @@ bool ObstacleContact::passed_through(In before, double from, In after, double to
     constexpr int most_looks = 4096;  // of a point: beyond, the step is too long to tell
     constexpr double fine = 0.25;
     const double least = fine * barrier_.thickness;
-    const Points move = after - before;
-    const double moved = std::sqrt(move.colwise().squaredNorm().maxCoeff());
     const double shifted = obstacle_.surface_speed(from, to) * (to - from);
-    if (shifted == 0 || shifted + moved < least) return false;
+    if (shifted == 0) return false;
+    const Points move = after - before;
+    if (shifted + std::sqrt(move.colwise().squaredNorm().maxCoeff()) < least) return false;
     const Pose start = obstacle_.motion.at(from).pose;
     for (const int i : near_) {
         const ContactPoint& point = points_[static_cast<size_t>(i)];
