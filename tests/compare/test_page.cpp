@@ -1,14 +1,13 @@
 #include "compare/page.h"
 
 #include <filesystem>
-#include <regex>
-#include <stack>
 
 #include <catch2/catch.hpp>
 
 #include "compare/pictures.h"
 #include "io/png.h"
 #include "io/write_file.h"
+#include "support/markup.h"
 #include "support/temporary_folder.h"
 
 using namespace drape;
@@ -16,23 +15,6 @@ using namespace drape::test;
 using Catch::Contains;
 
 namespace {
-
-// The first tag that is opened and not closed in turn; "" if all are.
-std::string unbalanced(const std::string& page) {
-    static const std::regex tag("<(/?)([a-zA-Z0-9]+)[^>]*?(/?)>");
-    std::stack<std::string> open;
-    for (std::sregex_iterator it(page.begin(), page.end(), tag), end; it != end; ++it) {
-        const std::string name = (*it)[2];
-        if (name == "meta" || name == "img" || name == "input" || (*it)[3] == "/") continue;
-        if ((*it)[1] != "/") {
-            open.push(name);
-        } else {
-            if (open.empty() || open.top() != name) return name;
-            open.pop();
-        }
-    }
-    return open.empty() ? "" : open.top();
-}
 
 std::string without_pictures(const std::string& page) {
     std::string text;

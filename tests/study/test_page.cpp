@@ -1,37 +1,15 @@
 // The page and the plots' script hold no text that could be taken for markup or commands.
 #include <catch2/catch.hpp>
-#include <regex>
-#include <stack>
 
 #include "study/html.h"
 #include "study/plot_style.h"
 #include "study/small_study.h"
 #include "study/study_page.h"
 #include "study/study_plot.h"
+#include "support/markup.h"
 
 using namespace drape;
 using namespace drape::test;
-
-namespace {
-
-// The first tag that is opened and not closed in turn; "" if all are.
-std::string unbalanced(const std::string& page) {
-    static const std::regex tag("<(/?)([a-zA-Z0-9]+)[^>]*?(/?)>");
-    std::stack<std::string> open;
-    for (std::sregex_iterator it(page.begin(), page.end(), tag), end; it != end; ++it) {
-        const std::string name = (*it)[2];
-        if (name == "meta" || (*it)[3] == "/") continue;
-        if ((*it)[1] != "/") {
-            open.push(name);
-        } else {
-            if (open.empty() || open.top() != name) return name;
-            open.pop();
-        }
-    }
-    return open.empty() ? "" : open.top();
-}
-
-}  // namespace
 
 TEST_CASE("the page escapes what scenes and errors say, and is well formed", "[study]") {
     Study study = small_study();

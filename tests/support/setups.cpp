@@ -1,5 +1,7 @@
 #include "support/setups.h"
 
+#include <algorithm>
+
 namespace drape::test {
 
 Setup scene_of(Mesh mesh, const Fabric& fabric, const std::vector<int>& held, const RigidMotion& motion) {
@@ -52,10 +54,14 @@ Setup near_miss() {
     return setup;
 }
 
-void run(Simulation& simulation) {
-    while (simulation.frame() < simulation.frames())
-        if (const FrameReport report = simulation.advance(); !report.trouble.empty())
-            throw Error(report.trouble);
+double run(Simulation& simulation) {
+    double fastest = 0;
+    while (simulation.frame() < simulation.frames()) {
+        const FrameReport report = simulation.advance();
+        if (!report.trouble.empty()) throw Error(report.trouble);
+        fastest = std::max(fastest, report.fastest);
+    }
+    return fastest;
 }
 
 }  // namespace drape::test
