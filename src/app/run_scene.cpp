@@ -19,6 +19,7 @@
 #include "scene/builder.h"
 #include "scene/scene_text.h"
 #include "simulate/checkpoint.h"
+#include "toml/value.h"
 #ifdef DRAPE_WITH_RENDER
 #include "app/frame_video.h"
 #include "app/picture_line.h"
@@ -128,8 +129,8 @@ DeliveryOptions Run::delivery_options() const {
 void Run::replay(Setup& setup, DeliveryOptions& wanted) {
     const Replay earlier = read_replay(options_.replay);
     if (earlier.scene != scene_.name)
-        throw Error(cat(options_.replay, ": is of the scene ", quoted(earlier.scene), ", not of ",
-                        quoted(scene_.name)));
+        throw Error(cat(options_.replay, ": is of the scene ", in_quotes(earlier.scene), ", not of ",
+                        in_quotes(scene_.name)));
     if (earlier.steps.size() < static_cast<size_t>(drawn_[1]))
         throw Error(cat(options_.replay, ": has ", earlier.steps.size(), " frames, this run ", drawn_[1]));
     setup.method = earlier.method;
