@@ -101,6 +101,7 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
         report_.notes = built.notes;
         DeliveryOptions wanted = delivery_options();
         if (!options.replay.empty()) replay(built.setup, wanted);
+        built.setup.stop = interrupted_for_seconds;
         scene_hash_ = hash_of(scene_, built.setup.method, wanted.replay);
         delivery_ = make_delivery(std::move(built.setup), wanted);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,8 @@ struct Setup {
     // Multiplies the steps of a frame, contact's shorter ones too: passes that differ in nothing else tell
     // the error. At least one more or one less than 1 gives, as far as stability allows.
     double refine = 1;
+    // Asked after every step; true ends the frame in hand with Error (Exit::interrupted).
+    std::function<bool()> stop = {};
 };
 
 // What a frame brought.

@@ -17,7 +17,7 @@ namespace {
 constexpr int most_halvings = 30;  // of a step that crossed into an obstacle or was not solved
 constexpr int most_retries = 10;   // of a frame, each with half the step
 // of a frame, over those planned as many times and besides: so short steps would go on for ever
-constexpr long most_times_planned = 256, most_implicit_steps = 1000, most_explicit_steps = 1'000'000;
+constexpr long most_times_planned = 64, most_implicit_steps = 1000, most_explicit_steps = 200'000;
 constexpr double instant = 1e-12;  // of the time so far: less is no step to make
 
 }  // namespace
@@ -123,6 +123,8 @@ FrameReport Simulation::try_frame() {
             report.trouble = why_no_step(*dynamics_, state_.time);
             return report;
         }
+        if (setup_.stop && setup_.stop())
+            throw Error(cat("stopped within frame ", report.index), Exit::interrupted);
         if (report.steps > most_steps) {
             report.trouble = why_no_end(*dynamics_, state_, report.steps, h);
             return report;
