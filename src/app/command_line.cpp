@@ -183,7 +183,24 @@ Action declare_stability(CLI::App& verb) {
 
 Action declare_lab(CLI::App& verb) {
     auto lab = std::make_shared<LabRequest>();
-    verb.add_option("EXPERIMENT", lab->experiments, "drape list lab (default: all, in their order)");
+    verb.add_option(
+        "EXPERIMENT", lab->experiments,
+        "drape list lab (default: all, in their order); or fabric NAME...; or fit FILE, a CSV of strain "
+        "and force per width in N/m");
+    verb.add_option_function<std::string>(
+            "--bending-length",
+            [lab](const std::string& text) {
+                lab->bending_length = positive_number(text, "--bending-length", "metres over 0");
+            },
+            "fit: the measured bending length, in metres")
+        ->type_name("M");
+    verb.add_option_function<std::string>(
+            "--density",
+            [lab](const std::string& text) {
+                lab->density = positive_number(text, "--density", "kg/m^2 over 0");
+            },
+            "fit: the cloth's mass per area, in kg/m^2")
+        ->type_name("KG");
     verb.add_option("--out", lab->out, "folder of the results (default: renders/lab)")->type_name("DIR");
     verb.add_flag("--quiet", lab->quiet, "print nothing but errors");
     return [lab] { return run_lab(*lab); };

@@ -54,7 +54,9 @@ struct StabilityRequest {
 };
 
 struct LabRequest {
-    std::vector<std::string> experiments;  // none = all
+    std::vector<std::string> experiments;  // none = all; or "fabric" and fabrics; or "fit" and a file
+    std::optional<double> bending_length;  // of `fit` [m]
+    std::optional<double> density;         // [kg/m^2]
     std::string out;                       // "" = renders/lab
     bool quiet = false;
 };

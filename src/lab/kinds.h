@@ -10,5 +10,6 @@ LabResult run_density();
 LabResult run_compression();
 LabResult run_erratum();
 LabResult run_jumps();
+LabResult run_fabric();
 
 }  // namespace drape
