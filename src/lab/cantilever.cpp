@@ -31,6 +31,19 @@ Mesh on_grid(std::string_view pattern, const StripSize& size) {
     return mesh;
 }
 
+// Rows of equilateral triangles across the strip, which is as wide as some of them are.
+Mesh in_rows(const StripSize& size) {
+    const double edge = size.length / size.divisions, side = edge / std::sqrt(0.75);
+    const int columns = std::max(1, static_cast<int>(std::lround(size.width / side)));
+    Mesh mesh = make_pattern("equilateral", {columns * side, size.length + edge, columns, 1});
+    mesh.rest.row(0).swap(mesh.rest.row(2));
+    mesh.faces.row(1).swap(mesh.faces.row(2));  // front side up
+    mesh.rest.row(0).array() += size.length / 2 - edge / 2;
+    for (int v = 0; v < mesh.vertices(); ++v)
+        if (std::abs(mesh.rest(0, v)) < 1e-9 * edge) mesh.rest(0, v) = 0;
+    return mesh;
+}
+
 Mesh irregular(const StripSize& size, double share) {
     const double edge = size.length / size.divisions, half = size.width / 2;
     // from 2 / (1 + share) of an edge at the clamp to share times that at the tip
@@ -59,6 +72,7 @@ Mesh irregular(const StripSize& size, double share) {
 Mesh clamped_strip(std::string_view mesh, const StripSize& size) {
     if (mesh == "pseudo_random") return irregular(size, 1);
     if (mesh == "adaptive") return irregular(size, fine_share);
+    if (mesh == "equilateral") return in_rows(size);
     return on_grid(mesh, size);
 }
 

@@ -15,7 +15,7 @@ struct StripSize {
     std::uint64_t seed = 1;
 };
 
-// Along x, its clamp at x = 0 and a row of triangles in it. `alternating`, `one_way`: a grid;
+// Along x, its clamp at x = 0 and a row of triangles in it. `alternating`, `one_way`: a grid; `equilateral`;
 // `pseudo_random`; `adaptive`: the same, twice as fine at the clamp, where it bends most, as at the tip.
 Mesh clamped_strip(std::string_view mesh, const StripSize& size);
 

@@ -23,13 +23,6 @@ std::vector<ActiveForce> all_forces(const Model& model, const Vec3& gravity) {
 
 }  // namespace
 
-void hold_at_rest(Model& model, const std::vector<int>& vertices) {
-    PinGroup pins;
-    pins.vertices = vertices;
-    pins.anchors = model.cloths.front().mesh.rest(Eigen::all, vertices);
-    add_pins(model, std::move(pins));
-}
-
 Equilibrium come_to_rest(const Model& model, const Vec3& gravity, Points start, double still) {
     Dynamics dynamics(model, all_forces(model, gravity), nullptr);
     const auto integrator = method_named("backward_euler").make();

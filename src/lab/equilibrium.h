@@ -5,9 +5,6 @@
 
 namespace drape {
 
-// Holds vertices of the model's first cloth where they are at rest.
-void hold_at_rest(Model& model, const std::vector<int>& vertices);
-
 struct Equilibrium {
     Points x;
     long iterations = 0;  // of Newton's method

@@ -11,5 +11,6 @@ LabResult run_compression();
 LabResult run_erratum();
 LabResult run_jumps();
 LabResult run_fabric();
+LabResult run_validation();
 
 }  // namespace drape
