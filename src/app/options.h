@@ -83,6 +83,16 @@ struct VideoRequest {
     bool side_by_side = false, difference = false;
     int columns = 0;  // of panes; 0 = all in one row
     int width = 0;    // of each picture [pixels]; 0 = as they are
+    std::optional<double> most_megabytes;
+    bool quiet = false;
+};
+
+struct GalleryRequest {
+    std::string file;               // "" = the one that comes with drape
+    std::string out;                // "" = renders/gallery_page
+    std::vector<std::string> only;  // names of pieces; none = all
+    int threads = 0;                // of each run; 0 = as many as there are cores
+    bool quick = false;             // the first frames, small
     bool quiet = false;
 };
 

@@ -15,6 +15,7 @@
 #include "io/cache_writer.h"
 #include "io/read_file.h"
 #include "io/write_file.h"
+#include "picture/palette.h"
 #include "report/report.h"
 #include "scene/builder.h"
 #include "scene/scene_text.h"
@@ -205,7 +206,10 @@ void Run::prepare_cache() {
         if (cloths.size() > 1)
             path.replace_filename(cat(path.stem().string(), "_cloth", c + 1, path.extension().string()));
         if (path.has_parent_path()) make_folder(path.parent_path().string());
-        caches_.push_back(make_cache_writer(path.string(), cloths[c].mesh, scene_.frame_rate, drawn_[1] + 1));
+        const Colour colour =
+            scene_.cloths[c].colours.front.value_or(cloth_palette(static_cast<int>(c)).front);
+        caches_.push_back(
+            make_cache_writer(path.string(), cloths[c].mesh, scene_.frame_rate, drawn_[1] + 1, colour));
         caches_.back()->add(delivery_->state().x.middleCols(cloths[c].first, cloths[c].vertices()));
     }
 }
@@ -264,6 +268,7 @@ void Run::finish(bool complete) {
     for (const auto& cache : caches_) cache->finish();
     add_output_stages();
     const Simulation& simulation = delivery_->simulation();
+    for (const Cloth& cloth : simulation.model().cloths) report_.vertices += cloth.vertices();
     report_.method = &simulation.method();
     report_.chosen_because = simulation.chosen_because();
     report_.step = simulation.step();

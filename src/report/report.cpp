@@ -119,6 +119,7 @@ std::string report_json(const RunReport& r) {
     json["machine"] = {{"processor", processor_name()},
                        {"cores", std::thread::hardware_concurrency()},
                        {"renderer", r.renderer.empty() ? Json(nullptr) : Json(r.renderer)}};
+    json["vertices"] = r.vertices;
     json["method"] = {{"name", r.method->name},
                       {"step_s", r.step},
                       {"steps", r.steps()},

@@ -20,6 +20,7 @@ struct StageTimes {
 
 struct RunReport {
     std::string scene, version, renderer;
+    int vertices = 0;  // simulated, of all cloths
     const Method* method = nullptr;
     std::string chosen_because;
     double step = 0, longest_step = 0, guaranteed_step = 0;  // [s]
