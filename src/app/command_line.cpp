@@ -306,7 +306,7 @@ Action declare_gallery(CLI::App& verb) {
                     "what to show, a TOML file (default: every demo scene and comparisons)");
     verb.add_option("--out", asked->out, "folder of the page (default: renders/gallery_page)")
         ->type_name("DIR");
-    verb.add_option("--only", asked->only, "only this piece; may be given again")
+    verb.add_option("--only", asked->only, "make only this piece; may be given again")
         ->type_name("NAME")
         ->allow_extra_args(false);
     verb.add_flag("--quick", asked->quick, "the first 15 frames of each, small");

@@ -1,4 +1,5 @@
 // gallery: scenes and comparisons -> runs and looping pictures, each by another drape -> a page of them.
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -89,7 +90,8 @@ std::string Work::run_folder(size_t pane) const {
 
 Words Work::render_words(size_t pane, const SceneDescription& scene) const {
     const int part = request_.quick ? 2 : 1;
-    Words words{"render", piece_.scene};
+    const bool is_file = fs::path(piece_.scene).is_absolute();
+    Words words{"render", is_file ? fs::path(piece_.scene).lexically_relative(out_).string() : piece_.scene};
     for (const std::string& set : piece_.panes[pane].set) words.insert(words.end(), {"--set", set});
     if (request_.quick)
         words.insert(words.end(), {"--frames", cat("1:", std::min(quick_frames, scene.frames()))});
@@ -206,14 +208,11 @@ ShownPiece Work::shown() const {
 std::string default_catalogue() {
     const std::vector<DemoScene> scenes = demo_scenes();
     if (scenes.empty()) throw Error("gallery: drape's own scenes are not beside the program (name a FILE)");
-    return (fs::path(scenes[0].path).parent_path().parent_path() / "gallery.toml").string();
+    return (fs::path(scenes[0].path).parent_path().parent_path() / "gallery/gallery.toml").string();
 }
 
-std::vector<Piece> chosen(const Catalogue& catalogue, const std::vector<std::string>& only) {
-    if (only.empty()) return catalogue.pieces;
-    std::vector<Piece> pieces;
-    for (const std::string& name : only) pieces.push_back(find_named(catalogue.pieces, "piece", name));
-    return pieces;
+bool is_chosen(const Piece& piece, const std::vector<std::string>& only) {
+    return only.empty() || std::find(only.begin(), only.end(), piece.name) != only.end();
 }
 
 void say(const GalleryRequest& request, const std::string& line) {
@@ -229,9 +228,10 @@ Exit make_gallery(const GalleryRequest& request) {
     const Catalogue catalogue = read_catalogue(request.file.empty() ? default_catalogue() : request.file);
     const std::string out =
         fs::absolute(request.out.empty() ? "renders/gallery_page" : request.out).lexically_normal().string();
+    for (const std::string& name : request.only) find_named(catalogue.pieces, "piece", name);
     // every scene is read before the first is run
     std::vector<Work> works;
-    for (const Piece& piece : chosen(catalogue, request.only)) works.emplace_back(piece, request, out);
+    for (const Piece& piece : catalogue.pieces) works.emplace_back(piece, request, out);
     catch_interrupts();
     make_folder(out + "/runs");
     GalleryPage page{.title = catalogue.title,
@@ -241,8 +241,11 @@ Exit make_gallery(const GalleryRequest& request) {
     std::string failed;
     for (Work& work : works) {
         const std::string& name = work.piece().name;
+        const bool chosen = is_chosen(work.piece(), request.only);
         if (work.is_up_to_date()) {
-            say(request, name + ": is as it was");
+            if (chosen) say(request, name + ": is as it was");
+        } else if (!chosen) {
+            continue;  // the page shows what there is
         } else {
             say(request, name + " ...");
             if (!work.go()) return Exit::interrupted;

@@ -54,7 +54,7 @@ TEST_CASE("what is wrong in a catalogue is told at its place", "[gallery]") {
 }
 
 TEST_CASE("drape's own gallery shows every demo scene and four comparisons", "[gallery]") {
-    const Catalogue catalogue = read_catalogue(DRAPE_SOURCE_DIR "/assets/gallery.toml");
+    const Catalogue catalogue = read_catalogue(DRAPE_SOURCE_DIR "/assets/gallery/gallery.toml");
     std::set<std::string> shown;
     int comparisons = 0;
     for (const Piece& piece : catalogue.pieces) {
