@@ -23,6 +23,10 @@ Json known(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+Json counted(int count) {
+    return count < 0 ? Json(nullptr) : Json(count);
+}
+
 Json plan_json(const Plan& plan) {
     Json used = Json::array(), left_out = Json::array();
     for (const Stage& stage : plan.stages) {
@@ -45,6 +49,7 @@ Json frame_json(const FrameReport& frame) {
             {"retries", frame.retries},
             {"shortest_step_s", frame.shortest_step},
             {"contacts", frame.contacts},
+            {"crossings", counted(frame.crossings)},
             {"least_distance_m", known(frame.least_distance)},
             {"largest_strain", frame.strain},
             {"fastest_m_per_s", frame.fastest}};
@@ -91,6 +96,12 @@ double RunReport::deepest_penetration() const {
 int RunReport::contacts_max() const {
     int most = 0;
     for (const FrameReport& frame : frames) most = std::max(most, frame.contacts);
+    return most;
+}
+
+int RunReport::crossings_max() const {
+    int most = -1;
+    for (const FrameReport& frame : frames) most = std::max(most, frame.crossings);
     return most;
 }
 
@@ -146,7 +157,8 @@ std::string report_json(const RunReport& r) {
     json["contact"] = {{"deepest_penetration_m", r.deepest_penetration()},
                        {"least_distance_m", known(r.least_distance())},
                        {"contacts_max", r.contacts_max()},
-                       {"crossings", nullptr}};
+                       {"crossings", counted(r.crossings_max())},
+                       {"crossings_last", counted(r.frames.empty() ? -1 : r.frames.back().crossings)}};
     json["plan"] = plan_json(r.plan);
     json["notes"] = r.notes;
     json["frames"] = Json::array();

@@ -46,6 +46,7 @@ struct FrameReport {
     long planned_steps = 0;    // without those that contact asked for
     double shortest_step = 0;  // [s]
     int contacts = 0;          // most at once
+    int crossings = -1;        // pairs of triangles of cloths that meet cloth; -1: none does, not counted
     // from any obstacle, over the steps in contact and at the frame's end; infinite without obstacles [m]
     double least_distance = 0;
     double strain = 0;   // largest |l/l0 - 1|

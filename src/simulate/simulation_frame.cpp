@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/timer.h"
+#include "contact/self_contact.h"
 #include "simulate/diagnosis.h"
 #include "simulate/simulation.h"
 #include "simulate/strain.h"
@@ -88,6 +89,8 @@ FrameReport Simulation::next_frame() {
         dynamics_->reset_flow(good_flow);
         return report;
     }
+    if (const Contact* contact = dynamics_->contact(); contact && contact->self())
+        report.crossings = contact->self()->crossings(state_.x).pairs;
     ++frame_;
     report.time = state_.time;
     report.strain = largest_strain(setup_.model, state_.x);
