@@ -20,9 +20,6 @@ public:
     double of(In move) const;                     // that a move makes
 
 private:
-    template <class Way>
-    double spread(Way way) const;
-
     std::vector<std::pair<int, int>> ranges_;
     Points from_;
 };

@@ -264,9 +264,9 @@ void SelfContact::list_grips(std::vector<Grip>& grips) const {
 
 // The distance changes by no more than the vertices move apart, so the pair may go as far as its distance
 // allows, look again, and go on (conservative advancement).
-double SelfContact::clear_part(const SelfPair& pair, In x, In move, double most) const {
+double SelfContact::clear_part(const SelfPair& pair, const PairPoints& at, const PairPoints& way,
+                               double most) const {
     constexpr int most_looks = 200;
-    const PairPoints at = points_of(pair, x.data()), way = points_of(pair, move.data());
     const Vec3 together = way.rowwise().mean();
     double length = 0, beside = 0;  // of the farther vertex of either piece
     for (int i = 0; i < 4; ++i) {
@@ -288,20 +288,23 @@ double SelfContact::clear_part(const SelfPair& pair, In x, In move, double most)
 }
 
 double SelfContact::clear_part(In x, In move) {
-    const double apart = near_drift_.of(move), longest = farthest_move * search_.mean_edge();
+    const double apart = near_drift_.of(move);
+    const double longest = farthest_move * search_.mean_edge();
     double clear = apart > longest ? longest / apart : 1;
     cover(x, clear * apart);
-    for (const SelfPair& pair : near_) clear = clear_part(pair, x, move, clear);
+    for (const SelfPair& pair : near_)
+        clear = clear_part(pair, points_of(pair, x.data()), points_of(pair, move.data()), clear);
     return clear;
 }
 
 bool SelfContact::passed_through(In before, In after) {
-    const Points move = after - before;
     // lists that hold at both ends hold in between
-    if (version_ != prepared_version_ || near_drift_.at(after) > near_margin_)
-        cover(before, near_drift_.of(move));
-    return std::any_of(near_.begin(), near_.end(),
-                       [&](const SelfPair& pair) { return clear_part(pair, before, move, 1) < 1; });
+    if (version_ != prepared_version_ || !(near_drift_.at(after) <= near_margin_))
+        cover(before, near_drift_.of(after - before));
+    return std::any_of(near_.begin(), near_.end(), [&](const SelfPair& pair) {
+        const PairPoints at = points_of(pair, before.data());
+        return clear_part(pair, at, points_of(pair, after.data()) - at, 1) < 1;
+    });
 }
 
 void SelfContact::demand_apart(In x) {

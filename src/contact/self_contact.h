@@ -81,7 +81,7 @@ private:
     void cover(In x, In v);  // ... and within the next step
     void list(In x, double drift);
     void limit_modes(ContactLimits& limits);
-    double clear_part(const SelfPair& pair, In x, In move, double most) const;
+    double clear_part(const SelfPair& pair, const PairPoints& at, const PairPoints& way, double most) const;
     template <class Visit>
     void each_press(In x, In v, Visit visit);
 

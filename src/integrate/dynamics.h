@@ -94,6 +94,7 @@ public:
     const Model& model() const { return model_; }
     const std::vector<ActiveForce>& forces() const { return forces_; }
     Contact* contact() { return contact_.get(); }
+    const Contact* contact() const { return contact_.get(); }
     const ObstacleContact::Result& touch() const { return touch_; }      // of the last acceleration
     double damping_beyond_bound() const { return power_.beyond_bound; }  // the same, of forces [1/s]
     const EnergyFlow& flow() const { return flow_; }

@@ -32,6 +32,4 @@ TEST_CASE("drift bounds how much any distance changed and a common motion is non
     x.col(0).setConstant(100);
     x.col(4).setConstant(-100);
     CHECK(drift.at(x) < 1);
-    x(1, 2) = NAN;
-    CHECK_FALSE(drift.at(x) <= 1);
 }
