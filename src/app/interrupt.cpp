@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "base/error.h"
+
 namespace drape {
 
 namespace {
@@ -25,6 +27,10 @@ void catch_interrupts() {
 
 bool interrupted() {
     return asked != 0;
+}
+
+void demand_no_interrupt() {
+    if (interrupted()) throw Error("interrupted", Exit::interrupted);
 }
 
 }  // namespace drape

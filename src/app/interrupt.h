@@ -6,4 +6,7 @@ namespace drape {
 void catch_interrupts();
 bool interrupted();
 
+// Throws Error (Exit::interrupted) where one was caught: of work that leaves nothing to go on from.
+void demand_no_interrupt();
+
 }  // namespace drape

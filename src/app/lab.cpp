@@ -4,12 +4,12 @@
 #include "app/verbs.h"
 #include "app/version.h"
 #ifdef DRAPE_WITH_STUDY
+#include "app/plots.h"
 #include "base/shell_word.h"
 #include "io/read_file.h"
 #include "io/write_file.h"
 #include "lab/page.h"
 #include "lab/plot.h"
-#include "study/gnuplot.h"
 #endif
 
 namespace drape {
@@ -29,8 +29,7 @@ std::string command_of(const LabRequest& request) {
 GnuplotRun draw(std::vector<LabChapter>& chapters, const std::string& out) {
     std::vector<LabResult> results;
     for (const LabChapter& chapter : chapters) results.push_back(chapter.result);
-    write_file(out + "/plots.gp", lab_script(results));
-    GnuplotRun run = run_gnuplot(out);
+    GnuplotRun run = make_plots_of(lab_script(results), out);
     if (!run.trouble.empty()) return run;
     for (LabChapter& chapter : chapters)
         for (const LabFigure& figure : chapter.result.figures)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/points.h"
@@ -16,5 +17,8 @@ struct Cache {
 // The ending chooses: .pc2 or .mdd. Throws Error naming the file if it is missing, of another ending, or if
 // its header does not fit its size.
 Cache read_cache(const std::string& path);
+
+// The same of a file's bytes that are at hand.
+Cache read_cache_bytes(const std::string& path, std::string_view bytes);
 
 }  // namespace drape

@@ -1,24 +1,10 @@
 // Checkpoints of a controlled run: the last two passes' frames, the pass that runs, and what is known so far.
 #include "simulate/controlled_delivery.h"
+#include "simulate/frame_bytes.h"
 
 namespace drape {
 
 namespace {
-
-template <class Report, class Visit>
-void each_number(Report& report, Visit visit) {
-    visit(report.index);
-    visit(report.time);
-    visit(report.steps);
-    visit(report.planned_steps);
-    visit(report.retries);
-    visit(report.shortest_step);
-    visit(report.contacts);
-    visit(report.least_distance);
-    visit(report.strain);
-    visit(report.fastest);
-    visit(report.cpu_seconds);
-}
 
 template <class Record, class Visit>
 void each_record_number(Record& record, Visit visit) {
@@ -35,12 +21,7 @@ void put_pass(ByteWriter& out, const Pass& pass) {
     out.put(pass.jumps);
     out.put(pass.x.size());
     for (const Points& x : pass.x) out.put(x);
-    out.put(pass.frames.size());
-    for (const FrameReport& frame : pass.frames) {
-        each_number(frame, [&](auto value) { out.put(value); });
-        out.put(frame.hash);
-        out.put(frame.trouble);
-    }
+    put_frames(out, pass.frames);
 }
 
 Pass take_pass(ByteReader& in) {
@@ -49,12 +30,7 @@ Pass take_pass(ByteReader& in) {
     pass.steps = in.take<double>();
     pass.jumps = in.take<bool>();
     for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) pass.x.push_back(in.take_points());
-    for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) {
-        FrameReport& frame = pass.frames.emplace_back();
-        each_number(frame, [&](auto& value) { value = in.take<std::decay_t<decltype(value)>>(); });
-        frame.hash = in.take_text();
-        frame.trouble = in.take_text();
-    }
+    pass.frames = take_frames(in);
     return pass;
 }
 
