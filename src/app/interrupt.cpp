@@ -1,5 +1,6 @@
 #include "app/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 
 #include "base/error.h"
@@ -8,7 +9,9 @@ namespace drape {
 
 namespace {
 
-volatile std::sig_atomic_t asked = 0;
+// threads ask for it too
+std::atomic<int> asked{0};
+static_assert(decltype(asked)::is_always_lock_free);  // or a handler could not touch it
 
 extern "C" void note_signal(int signal) {
     if (asked) {

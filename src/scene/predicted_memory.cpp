@@ -12,10 +12,10 @@ namespace drape {
 
 namespace {
 
-constexpr double of_pass = 2600, of_build = 3000;         // a vertex [bytes]
-constexpr double of_program = 20e6, of_renderer = 120e6;  // [bytes]
+constexpr double of_pass = 1600, of_build = 900;         // a vertex [bytes]
+constexpr double of_program = 12e6, of_renderer = 95e6;  // [bytes]
 // of a picture's pixel: samples, the picture and its PNG
-constexpr double of_pixel = 130;
+constexpr double of_pixel = 70;
 constexpr double of_position = 3 * sizeof(double);
 
 // "MemAvailable:   123456 kB" [bytes]

@@ -13,8 +13,8 @@ struct RunExtent {
     int drawing = 0;         // threads that draw
 };
 
-// From measured bytes per vertex (test_predicted_memory.cpp). Cloths from mesh files count as nothing: their
-// files are read within limits of their own. [bytes]
+// From bytes per vertex that peaks of runs by Verlet came to; a factor of an implicit step comes on top.
+// Cloths from mesh files count as nothing: their files are read within limits of their own. [bytes]
 double predicted_memory(const SceneDescription& scene, const RunExtent& extent);
 
 // What this process may still take, of the machine and of its limits. [bytes]
