@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <functional>
 #include <limits>
@@ -78,7 +79,26 @@ void add_run_options(CLI::App& verb, const std::shared_ptr<RunOptions>& run) {
     verb.add_option("--set", run->set, "change a value of the scene; may be given again")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    verb.add_option("--cache", run->cache,
+                    "positions of the start and of every frame: .pc2 .mdd .obj .ply .glb")
+        ->type_name("FILE");
     verb.add_flag("--resume", run->resume, "go on from the folder's checkpoint, if there is one");
+    verb.add_option_function<int>(
+            "--from",
+            [run](const int frame) {
+                run->from = frame;
+                run->resume = true;
+            },
+            "go on from the checkpoint's frame K though the scene has changed")
+        ->type_name("K")
+        ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+    verb.add_option("--checkpoint-every", run->checkpoint_every,
+                    "seconds of work between checkpoints; 0: after every frame (default 5)")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 1e9));
+    verb.add_option("--verify-hashes", run->verify_hashes,
+                    "exit with 1 at the first frame whose bits are not those of this report.json")
+        ->type_name("FILE");
     verb.add_flag("--quiet", run->quiet, "print nothing but errors");
 }
 
@@ -106,9 +126,6 @@ Action declare_simulate(CLI::App& verb) {
     auto run = std::make_shared<RunOptions>();
     run->pictures = false;
     add_run_options(verb, run);
-    verb.add_option("--cache", run->cache,
-                    "positions of the start and of every frame: .pc2 .mdd .obj .ply .glb")
-        ->type_name("FILE");
     return [run] { return run_scene(*run); };
 }
 
@@ -395,6 +412,8 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+    // a file that grows beyond a limit is an error of write(), not the end
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return parse_and_run(argc, argv);
     } catch (const Error& error) {

@@ -1,7 +1,8 @@
 # bash completion for drape
 _drape() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]}
-    local run="--out --method --step --tolerance --budget --replay --strict --no-estimate --threads --set --resume --quiet --help"
+    local run="--out --method --step --tolerance --budget --replay --strict --no-estimate --threads --set --cache --resume --from --checkpoint-every \
+--verify-hashes --quiet --help"
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
@@ -15,19 +16,19 @@ _drape() {
             mapfile -t COMPREPLY < <(compgen "$kind" -- "$word")
             return
             ;;
-        --cache | --replay | --json | --junit | --html | --video | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
+        --cache | --replay | --verify-hashes | --json | --junit | --html | --video | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
         --method)
             mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada srkn4 srkn6 rk4 \
                 embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2 projective_dynamics" -- "$word")
             return
             ;;
-        --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms | --limit | --ignore | --fps | --speed | --loop | --caption | --label | --columns | --width | --at-most | --only) return ;;
+        --from | --checkpoint-every | --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms | --limit | --ignore | --fps | --speed | --loop | --caption | --label | --columns | --width | --at-most | --only) return ;;
     esac
 
     local words
     case $verb in
         render) words="$run --frames --size --video" ;;
-        simulate) words="$run --cache" ;;
+        simulate) words="$run" ;;
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;

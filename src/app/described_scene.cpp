@@ -42,6 +42,9 @@ SceneDescription described_scene(const RunOptions& options) {
             "scene)");
     if (!options.estimate && accuracy.tolerance)
         throw Error("--no-estimate: a tolerance is met by estimating the error (leave one of them out)");
+    if (!options.verify_hashes.empty() && accuracy.budget)
+        throw Error(cat("--verify-hashes: a budget chooses steps by the clock (--replay ",
+                        options.verify_hashes, " repeats them)"));
     return scene;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/picture_line.h"
+#include "app/frame_name.h"
 #include "base/error.h"
 #include "io/png.h"
 #include "video/timeline.h"

@@ -1,16 +1,21 @@
 #include "app/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 #include <ctime>
+
+#include "base/error.h"
 
 namespace drape {
 
 namespace {
 
-constexpr std::time_t patience = 3;  // [s]
+// threads ask for it too
+std::atomic<int> asked{0};
+static_assert(decltype(asked)::is_always_lock_free);  // or a handler could not touch it
 
-volatile std::sig_atomic_t asked = 0;
-volatile std::time_t asked_at = 0;  // written before `asked` is set, never after
+constexpr std::time_t patience = 3;    // [s]
+std::atomic<std::time_t> asked_at{0};  // written before `asked` is set, never after
 
 std::time_t seconds_now() {
     timespec now{};
@@ -40,6 +45,10 @@ bool interrupted() {
 
 bool interrupted_for_seconds() {
     return interrupted() && seconds_now() - asked_at > patience;
+}
+
+void demand_no_interrupt() {
+    if (interrupted()) throw Error("interrupted", Exit::interrupted);
 }
 
 }  // namespace drape

@@ -8,4 +8,7 @@ void catch_interrupts();
 bool interrupted();
 bool interrupted_for_seconds();  // long enough to finish a frame of usual length
 
+// Throws Error (Exit::interrupted) where one was caught: of work that leaves nothing to go on from.
+void demand_no_interrupt();
+
 }  // namespace drape

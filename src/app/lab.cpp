@@ -6,6 +6,7 @@
 #include "app/verbs.h"
 #include "app/version.h"
 #ifdef DRAPE_WITH_STUDY
+#include "app/plots.h"
 #include "base/names.h"
 #include "base/shell_word.h"
 #include "cloth/fabric.h"
@@ -15,7 +16,6 @@
 #include "lab/fit.h"
 #include "lab/page.h"
 #include "lab/plot.h"
-#include "study/gnuplot.h"
 #endif
 
 namespace drape {
@@ -72,8 +72,7 @@ std::vector<Chapter> chapters_asked(const LabRequest& request) {
 GnuplotRun draw(std::vector<LabChapter>& chapters, const std::string& out) {
     std::vector<LabResult> results;
     for (const LabChapter& chapter : chapters) results.push_back(chapter.result);
-    write_file(out + "/plots.gp", lab_script(results));
-    GnuplotRun run = run_gnuplot(out);
+    GnuplotRun run = make_plots_of(lab_script(results), out);
     if (!run.trouble.empty()) return run;
     for (LabChapter& chapter : chapters)
         for (const LabFigure& figure : chapter.result.figures)

@@ -23,11 +23,14 @@ struct RunOptions {
     int threads = 0;                  // 0 = as many as there are cores
     bool quiet = false;
     bool resume = false;
+    std::optional<int> from;                   // resume though the scene is another: the checkpoint's frame
+    double checkpoint_every = 5;               // seconds of work
+    std::string verify_hashes;                 // the report of a run that this one repeats; "" = none
     bool pictures = true;                      // render; simulate makes none
     std::optional<std::array<int, 2>> frames;  // first and last to draw, both included
     std::optional<std::array<int, 2>> size;    // of the pictures
     std::string video;                         // render: "" = none
-    std::string cache;                         // simulate: "" = none
+    std::string cache;                         // "" = none
 };
 
 struct StudyRequest {

@@ -1,8 +1,8 @@
 #include "app/picture_line.h"
 
-#include <cstdio>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/timer.h"
 #include "io/png.h"
 #include "io/write_file.h"
@@ -14,12 +14,6 @@ namespace {
 constexpr std::size_t longest_queue = 2;
 
 }  // namespace
-
-std::string frame_name(int frame) {
-    char name[32];
-    std::snprintf(name, sizeof name, "/frame_%04d.png", frame);
-    return name;
-}
 
 PictureLine::PictureLine(DrawnScene scene, std::string folder, int most_threads, TakeInOrder take_in_order)
     : scene_(std::move(scene)),
@@ -60,7 +54,10 @@ void PictureLine::add(int frame, FrameInput input) {
     }
     changed_.wait(hold, has_room);
     if (failure_) std::rethrow_exception(failure_);
-    if (turn_ == 0) turn_ = frame;
+    if (turn_ == 0) {
+        turn_ = frame;
+        first_ = static_cast<size_t>(frame);
+    }
     waiting_.push_back({frame, std::move(input)});
     changed_.notify_all();
 }
@@ -94,8 +91,24 @@ PictureTimes PictureLine::make_picture(Renderer& renderer, const Job& job) {
     const Image image = timed(times.render, [&] { return renderer.draw(job.input); });
     const auto png = timed(times.encode, [&] { return encode_png(image); });
     timed(times.write, [&] { write_file(folder_ + frame_name(job.frame), png); });
+    note_hash(static_cast<size_t>(job.frame), hash_text(hash_bytes(png.data(), png.size())));
     if (take_in_order_) hand_over(job.frame, image);
     return times;
+}
+
+void PictureLine::note_hash(size_t frame, std::string hash) {
+    const std::scoped_lock hold(lock_);
+    if (hashes_.size() < frame) hashes_.resize(frame);
+    hashes_[frame - 1] = std::move(hash);
+}
+
+std::vector<std::string> PictureLine::hashes() {
+    const std::scoped_lock hold(lock_);
+    size_t written = first_ > 0 ? first_ - 1 : 0;
+    while (written < hashes_.size() && !hashes_[written].empty()) ++written;
+    std::vector<std::string> all = hashes_;
+    all.resize(written);
+    return all;
 }
 
 // Waits for the frames before; a thread that draws one of them waits for none after it.

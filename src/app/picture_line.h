@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/frame_name.h"
 #include "app/picture_maker.h"
 
 namespace drape {
@@ -20,9 +21,6 @@ namespace drape {
 struct PictureTimes {
     double render = 0, encode = 0, write = 0;
 };
-
-// "/frame_0012.png"
-std::string frame_name(int frame);
 
 class PictureLine {
 public:
@@ -40,6 +38,9 @@ public:
     void add(int frame, FrameInput input);
     // Waits until all is written, or throws the error met; from then on times() is up to date.
     void drain();
+    // Of the files' bytes: those of frame 1, 2, ... up to the first that is not written yet, "" before the
+    // first added.
+    std::vector<std::string> hashes();
     const PictureTimes& times() const { return times_; }
     const std::string& renderer() const { return renderer_; }
 
@@ -53,6 +54,7 @@ private:
     void work();
     bool take(Job& job);
     PictureTimes make_picture(Renderer& renderer, const Job& job);
+    void note_hash(size_t frame, std::string hash);
     void hand_over(int frame, const Image& picture);
 
     const DrawnScene scene_;
@@ -62,6 +64,8 @@ private:
     int turn_ = 0;  // the frame that is to be taken next; 0: none was added
     std::string renderer_;
     PictureTimes times_;
+    std::vector<std::string> hashes_;  // of frame 1, 2, ...
+    size_t first_ = 0;                 // frame added; 0: none was
     std::mutex lock_;
     std::condition_variable changed_;
     std::deque<Job> waiting_;

@@ -1,5 +1,6 @@
 // render and simulate: scene -> simulation -> frames -> pictures, cache, report.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -7,19 +8,19 @@
 
 #include "app/described_scene.h"
 #include "app/interrupt.h"
+#include "app/leftovers.h"
 #include "app/progress.h"
 #include "app/replay.h"
+#include "app/resume.h"
+#include "app/run_caches.h"
 #include "app/verbs.h"
+#include "app/verification.h"
 #include "app/version.h"
-#include "base/hash.h"
-#include "io/cache_writer.h"
-#include "io/read_file.h"
 #include "io/write_file.h"
 #include "picture/palette.h"
 #include "report/report.h"
 #include "scene/builder.h"
-#include "scene/scene_text.h"
-#include "simulate/checkpoint.h"
+#include "scene/predicted_memory.h"
 #include "toml/value.h"
 #ifdef DRAPE_WITH_RENDER
 #include "app/frame_video.h"
@@ -33,20 +34,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t largest_checkpoint = std::uint64_t{4} << 30;  // [bytes]
-
 int threads_of(const RunOptions& options) {
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     return options.threads > 0 ? options.threads : static_cast<int>(cores);
 }
 
-// What tells a checkpoint's run from others: the scene without what is expected of it, the method and the
-// steps of every frame where they are given.
-std::uint64_t hash_of(SceneDescription scene, const std::string& method, const std::vector<long>& steps) {
-    scene.expected.reset();
-    std::string text = cat(scene_text(scene), method);
-    for (const long count : steps) text += cat(" ", count);
-    return hash_bytes(text.data(), text.size());
+std::vector<Colour> front_colours(const SceneDescription& scene) {
+    std::vector<Colour> colours;
+    for (size_t c = 0; c < scene.cloths.size(); ++c)
+        colours.push_back(scene.cloths[c].colours.front.value_or(cloth_palette(static_cast<int>(c)).front));
+    return colours;
 }
 
 // One run from scene to report, step by step.
@@ -56,6 +53,7 @@ public:
     Exit go();
 
 private:
+    void demand_memory() const;
     DeliveryOptions delivery_options() const;
     void replay(Setup& setup, DeliveryOptions& wanted);
     void compare_with_replayed(const FrameReport& frame);
@@ -64,10 +62,13 @@ private:
     void demand_what_was_asked() const;
     void prepare_folder();
     void prepare_pictures();
-    void prepare_cache();
     void resume();
+    void verify(const FrameReport& frame);
+    void verify_pictures(bool all);
     void add_output_stages();
     void draw_frame(int frame);
+    std::vector<std::string> picture_hashes();
+    SolverWork solver_work() const;
     void save_checkpoint();
     void finish(bool complete);
 
@@ -75,12 +76,15 @@ private:
     WallTimer wall_;
     RunReport report_;
     SceneDescription scene_;
-    std::uint64_t scene_hash_ = 0;
+    Checkpoint identity_;  // no more of it than tells one run from another
+    SolverWork solved_before_;
+    std::vector<std::string> pictures_before_;  // hashes of those of the run that this one goes on from
     std::string out_;
     std::array<int, 2> drawn_{};  // first and last frame to draw
     std::unique_ptr<Delivery> delivery_;
     std::vector<std::string> replayed_hashes_;  // of every frame
-    std::vector<std::unique_ptr<CacheWriter>> caches_;
+    std::optional<Verification> verification_;
+    std::optional<RunCaches> caches_;
 #ifdef DRAPE_WITH_RENDER
     std::unique_ptr<FrameVideo> video_;
     std::unique_ptr<PictureLine> pictures_;  // ends before what it draws, and what it hands on to
@@ -93,6 +97,7 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     if (drawn_[0] < 1 || drawn_[1] < drawn_[0] || drawn_[1] > frames)
         throw Error(cat("--frames ", drawn_[0], ":", drawn_[1], ": the scene has frames 1:", frames));
     out_ = options.out.empty() ? "renders/" + fs::path(options.scene).stem().string() : options.out;
+    demand_memory();
     report_.scene = scene_.name;
     report_.version = version;
     {
@@ -103,7 +108,7 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
         DeliveryOptions wanted = delivery_options();
         if (!options.replay.empty()) replay(built.setup, wanted);
         built.setup.stop = interrupted_for_seconds;
-        scene_hash_ = hash_of(scene_, built.setup.method, wanted.replay);
+        identify(identity_, scene_, built.setup.method, wanted.replay);
         delivery_ = make_delivery(std::move(built.setup), wanted);
     }
     report_.times.build -= report_.times.load;
@@ -113,10 +118,24 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
                                     simulation.lifted(), " m"));
     report_.plan = simulation.plan();
     report_.start = simulation.energies();
+    if (!options.verify_hashes.empty()) verification_.emplace(options.verify_hashes, scene_.name, drawn_[1]);
     if (options.pictures) prepare_pictures();
     prepare_folder();
+    const Points start = delivery_->state().x;
     if (options.resume) resume();
-    prepare_cache();
+    if (!options.cache.empty())
+        caches_.emplace(options.cache, simulation.model(), front_colours(scene_), scene_.frame_rate,
+                        drawn_[1], kept_positions_of(out_), start, delivery_->frame());
+}
+
+// Told before anything is built, for what is not there is taken from other programs first.
+void Run::demand_memory() const {
+    RunExtent extent{drawn_[1], options_.estimate || scene_.accuracy.tolerance, 0};
+    if (options_.pictures) extent.drawing = std::min(threads_of(options_), 2);
+    const double wanted = predicted_memory(scene_, extent), there = free_memory();
+    if (wanted > there)
+        throw Error(cat(options_.scene, ": needs about ", std::round(wanted / 1e8) / 10, " GB of memory, ",
+                        std::round(there / 1e8) / 10, " GB are free (fewer divisions, or --no-estimate)"));
 }
 
 DeliveryOptions Run::delivery_options() const {
@@ -171,11 +190,16 @@ void Run::add_output_stages() {
         report_.plan.use("cache", options_.cache);
 }
 
-// A fresh run of all frames leaves no frame of an earlier, longer one behind.
+// A fresh run leaves no checkpoint of an earlier one behind, a fresh run of all frames no frame of a longer
+// one.
 void Run::prepare_folder() {
     make_folder(out_);
-    if (options_.resume || options_.frames || !options_.pictures) return;
+    remove_leftovers(out_);
+    if (options_.resume) return;
     std::error_code trouble;
+    fs::remove(checkpoint_of(out_), trouble);
+    fs::remove(kept_positions_of(out_), trouble);
+    if (options_.frames || !options_.pictures) return;
     for (const auto& entry : fs::directory_iterator(out_, trouble)) {
         const std::string name = entry.path().filename().string();
         if (name.starts_with("frame_") && name.ends_with(".png")) fs::remove(entry.path(), trouble);
@@ -186,8 +210,10 @@ void Run::prepare_pictures() {
 #ifdef DRAPE_WITH_RENDER
     PictureLine::TakeInOrder take_in_order;
     if (!options_.video.empty()) {
-        if (const fs::path path(options_.video); path.has_parent_path())
-            make_folder(path.parent_path().string());
+        const fs::path path(options_.video);
+        if (path.has_parent_path()) make_folder(path.parent_path().string());
+        remove_leftovers(path.has_parent_path() ? path.parent_path().string() : ".",
+                         path.filename().string());
         const Canvas canvas{scene_.look.size[0], scene_.look.size[1], scene_.frame_rate};
         video_ = std::make_unique<FrameVideo>(options_.video, out_, drawn_[0], drawn_[1], canvas);
         take_in_order = [this](int frame, const Image& picture) { video_->add(frame, picture); };
@@ -198,39 +224,32 @@ void Run::prepare_pictures() {
 #endif
 }
 
-void Run::prepare_cache() {
-    if (options_.cache.empty()) return;
-    const std::vector<Cloth>& cloths = delivery_->simulation().model().cloths;
-    for (size_t c = 0; c < cloths.size(); ++c) {
-        fs::path path(options_.cache);
-        if (cloths.size() > 1)
-            path.replace_filename(cat(path.stem().string(), "_cloth", c + 1, path.extension().string()));
-        if (path.has_parent_path()) make_folder(path.parent_path().string());
-        const Colour colour =
-            scene_.cloths[c].colours.front.value_or(cloth_palette(static_cast<int>(c)).front);
-        caches_.push_back(
-            make_cache_writer(path.string(), cloths[c].mesh, scene_.frame_rate, drawn_[1] + 1, colour));
-        caches_.back()->add(delivery_->state().x.middleCols(cloths[c].first, cloths[c].vertices()));
-    }
-}
-
 // Goes on from the folder's checkpoint if it is one of this scene; otherwise from the start, and says so.
 void Run::resume() {
-    const std::string path = out_ + "/checkpoint";
-    if (!fs::exists(path)) return;
-    const auto found = read_checkpoint(read_file(path, largest_checkpoint));
-    if (!found) throw Error(path + ": not a whole checkpoint of this version (remove it to start fresh)");
-    if (found->scene_hash != scene_hash_)
-        throw Error(path + ": is of another scene or other settings (remove it to start fresh)");
-    if (!options_.cache.empty())
-        throw Error(
-            "--resume cannot go on with a --cache: earlier frames' positions are gone (leave one out)");
-    if (!delivery_->restore(found->passes))
-        throw Error(
-            path +
-            ": is of a run with another tolerance, estimate or number of frames (remove it to start fresh)");
+    auto found = checkpoint_to_go_on_from(out_, identity_, options_, report_.notes);
+    if (!found) return;
+    const std::string path = checkpoint_of(out_);
+    const auto last = static_cast<int>(found->frames.size());
+    if (last > drawn_[1]) throw Error(cat(path, ": is of frame ", last, ", beyond --frames"));
+    if (!options_.cache.empty() && !found->keeps_positions)
+        throw Error(cat(path,
+                        ": is of a run without a --cache, whose positions are gone (leave it out, or remove ",
+                        path, " to start fresh)"));
+    if (options_.pictures) demand_pictures(out_, *found, drawn_[0]);
+    if (!delivery_->restore(found->passes) || delivery_->frame() != last)
+        throw Error(path +
+                    ": is of a run with another mesh, tolerance, estimate or number of frames (remove it to "
+                    "start fresh)");
     report_.start = {0, found->start_energy};
-    report_.notes.push_back(cat("resumed after frame ", delivery_->frame()));
+    report_.notes.push_back(cat("resumed after frame ", last));
+    report_.frames = std::move(found->frames);
+    pictures_before_ = std::move(found->pictures);
+    // of a tolerance's passes each counts for itself
+    if (!scene_.accuracy.tolerance) solved_before_ = found->solver;
+    for (const FrameReport& frame : report_.frames) {
+        compare_with_replayed(frame);
+        if (verification_) verification_->positions(frame);
+    }
 }
 
 void Run::draw_frame([[maybe_unused]] int frame) {
@@ -241,14 +260,47 @@ void Run::draw_frame([[maybe_unused]] int frame) {
 #endif
 }
 
+std::vector<std::string> Run::picture_hashes() {
+    std::vector<std::string> all = pictures_before_;
+#ifdef DRAPE_WITH_RENDER
+    if (pictures_) {
+        const std::vector<std::string> drawn = pictures_->hashes();
+        for (size_t k = all.size(); k < drawn.size(); ++k) all.push_back(drawn[k]);
+    }
+#endif
+    return all;
+}
+
+// The first frame that differs is named, though its picture may be written long after it was simulated.
+void Run::verify_pictures([[maybe_unused]] bool all) {
+    if (!verification_) return;
+#ifdef DRAPE_WITH_RENDER
+    if (pictures_ && all) pictures_->drain();
+#endif
+    verification_->pictures(picture_hashes());
+}
+
 // Pictures of the frames that a resumed run takes for done are written before.
 void Run::save_checkpoint() {
 #ifdef DRAPE_WITH_RENDER
     if (pictures_) pictures_->drain();
 #endif
     const ThreadCpuScope timer(report_.times.write);
-    write_file(out_ + "/checkpoint",
-               checkpoint_bytes({scene_hash_, report_.start.total(), delivery_->save()}));
+    if (caches_) caches_->flush();
+    Checkpoint checkpoint = identity_;
+    checkpoint.start_energy = report_.start.total();
+    checkpoint.solver = solver_work();
+    checkpoint.frames = report_.frames;
+    checkpoint.pictures = picture_hashes();
+    checkpoint.pictures.resize(report_.frames.size());
+    checkpoint.keeps_positions = caches_.has_value();
+    checkpoint.passes = delivery_->save();
+    write_file(checkpoint_of(out_), checkpoint_bytes(checkpoint));
+}
+
+SolverWork Run::solver_work() const {
+    const SolverWork now = delivery_->simulation().solver_work();
+    return {solved_before_.factorisations + now.factorisations, solved_before_.iterations + now.iterations};
 }
 
 void Run::finish(bool complete) {
@@ -265,14 +317,15 @@ void Run::finish(bool complete) {
         report_.times.video = video_->cpu_seconds();
     }
 #endif
-    for (const auto& cache : caches_) cache->finish();
+    if (caches_) caches_->finish();
     add_output_stages();
     const Simulation& simulation = delivery_->simulation();
     for (const Cloth& cloth : simulation.model().cloths) report_.vertices += cloth.vertices();
     report_.method = &simulation.method();
     report_.chosen_because = simulation.chosen_because();
     report_.step = simulation.step();
-    report_.solver = simulation.solver_work();
+    report_.solver = solver_work();
+    report_.pictures = picture_hashes();
     report_.longest_step = simulation.longest_step();
     report_.guaranteed_step = simulation.guaranteed_step();
     report_.error = delivery_->error();
@@ -287,11 +340,13 @@ void Run::finish(bool complete) {
     write_file(out_ + "/report.json", report_json(report_));
     if (complete) {
         std::error_code none;
-        fs::remove(out_ + "/checkpoint", none);
+        fs::remove(checkpoint_of(out_), none);
+        fs::remove(kept_positions_of(out_), none);
     }
     if (!options_.quiet) {
         for (const std::string& note : report_.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
         std::fputs(report_summary(report_).c_str(), stdout);
+        if (complete && verification_) std::printf("  %s\n", verification_->summary(drawn_[1]).c_str());
         std::printf("  %s\n", out_.c_str());
         if (complete && !options_.video.empty()) std::printf("  %s\n", options_.video.c_str());
     }
@@ -303,7 +358,7 @@ bool Run::keep_going(double& unsaved) {
         save_checkpoint();
         return false;
     }
-    if (unsaved > 5) {
+    if (unsaved >= options_.checkpoint_every) {
         save_checkpoint();
         unsaved = 0;
     }
@@ -319,10 +374,19 @@ void Run::deliver(const FrameReport& frame) {
     report_.times.simulate += frame.cpu_seconds;
     report_.frames.push_back(frame);
     compare_with_replayed(frame);
+    verify(frame);
     draw_frame(frame.index);
-    for (size_t c = 0; c < caches_.size(); ++c) {
-        const Cloth& cloth = delivery_->simulation().model().cloths[c];
-        caches_[c]->add(delivery_->state().x.middleCols(cloth.first, cloth.vertices()));
+    if (caches_) caches_->add(delivery_->state().x);
+}
+
+void Run::verify(const FrameReport& frame) {
+    if (!verification_) return;
+    verify_pictures(false);
+    try {
+        verification_->positions(frame);
+    } catch (const Error&) {
+        verify_pictures(true);  // of the frames before
+        throw;
     }
 }
 
@@ -362,6 +426,7 @@ Exit Run::go() {
             }
         }
     }
+    verify_pictures(true);
     finish(true);
     if (options_.strict) demand_what_was_asked();
     return Exit::done;

@@ -6,13 +6,14 @@
 #include "app/verbs.h"
 #include "app/version.h"
 #ifdef DRAPE_WITH_STUDY
+#include "app/interrupt.h"
+#include "app/plots.h"
 #include "base/shell_word.h"
 #include "io/read_file.h"
 #include "io/write_file.h"
 #include "report/report.h"
 #include "scene/builder.h"
 #include "scene/reader.h"
-#include "study/gnuplot.h"
 #include "study/stability_csv.h"
 #include "study/stability_findings.h"
 #include "study/stability_page.h"
@@ -55,6 +56,7 @@ StabilityOptions options_of(const StabilityRequest& request) {
     options.trial.runs = request.runs;
     options.threads =
         request.threads > 0 ? request.threads : static_cast<int>(std::thread::hardware_concurrency());
+    options.stop = interrupted;
     if (!request.quiet)
         options.say = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
     return options;
@@ -71,8 +73,7 @@ std::string command_of(const StabilityRequest& request) {
 }
 
 StabilityPlots make_plots(const StabilityMap& map, const std::string& out, std::string& gnuplot_version) {
-    write_file(out + "/plots.gp", stability_script(map));
-    const GnuplotRun run = run_gnuplot(out);
+    const GnuplotRun run = make_plots_of(stability_script(map), out);
     gnuplot_version = run.version;
     StabilityPlots plots{{}, run.trouble};
     if (!run.trouble.empty()) return plots;
@@ -88,7 +89,9 @@ Exit map_stability(const StabilityRequest& request) {
     Subject subject = subject_of(request);
     const std::string out = request.out.empty() ? "renders/stability" : request.out;
     make_folder(out);
+    catch_interrupts();
     const StabilityMap map = make_stability_map(std::move(subject.cloths), subject.whole, options);
+    demand_no_interrupt();
 
     write_file(out + "/stability.csv", stability_csv(map));
     if (!map.recoveries.empty()) write_file(out + "/collapse.csv", recovery_csv(map.recoveries));

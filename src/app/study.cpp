@@ -7,6 +7,7 @@
 #include "app/verbs.h"
 #include "app/version.h"
 #ifdef DRAPE_WITH_STUDY
+#include "app/plots.h"
 #include "base/numbers.h"
 #include "base/shell_word.h"
 #include "io/read_file.h"
@@ -14,7 +15,6 @@
 #include "report/report.h"
 #include "scene/builder.h"
 #include "scene/reader.h"
-#include "study/gnuplot.h"
 #include "study/study_csv.h"
 #include "study/study_page.h"
 #include "study/study_plot.h"
@@ -67,8 +67,7 @@ DrawState drawer([[maybe_unused]] SceneDescription scene, [[maybe_unused]] const
 }
 
 StudyPlots make_plots(const Study& study, const std::string& out, std::string& gnuplot_version) {
-    write_file(out + "/plots.gp", plot_script(study));
-    const GnuplotRun run = run_gnuplot(out);
+    const GnuplotRun run = make_plots_of(plot_script(study), out);
     gnuplot_version = run.version;
     if (!run.trouble.empty()) return {{}, {}, run.trouble};
     return {read_file(out + "/error_time.svg", largest_plot),

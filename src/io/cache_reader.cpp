@@ -19,11 +19,12 @@ constexpr std::uint64_t largest_cache = 16ULL << 30;  // [bytes]
 // What the header says, checked against what is there: the body must be exactly this long.
 void check_size(const std::string& path, std::uint64_t size, std::uint64_t header, int points, int samples,
                 std::uint64_t bytes_per_sample) {
-    if (points < 0 || samples < 0)
-        throw Error(cat(path, ": declares ", points, " points and ", samples, " samples (at least 0)"));
+    if (points < 1 || samples < 0)
+        throw Error(
+            cat(path, ": declares ", points, " points (at least 1) and ", samples, " samples (at least 0)"));
     const std::uint64_t per_sample = bytes_per_sample + 12 * static_cast<std::uint64_t>(points);
     const auto body = static_cast<std::uint64_t>(samples);
-    if (per_sample > 0 && body > size / per_sample + 1)
+    if (body > size / per_sample + 1)
         throw Error(
             cat(path, ": declares ", samples, " samples of ", points, " points, more than the file holds"));
     if (size != header + body * per_sample)
@@ -38,7 +39,7 @@ Points sample_at(const char* bytes, int points, std::endian order) {
     return sample;
 }
 
-Cache read_pc2(const std::string& path, const std::string& bytes) {
+Cache read_pc2(const std::string& path, std::string_view bytes) {
     constexpr auto order = std::endian::little;
     constexpr size_t header = 32;
     if (bytes.size() < header || std::memcmp(bytes.data(), "POINTCACHE2", 12) != 0)
@@ -57,7 +58,7 @@ Cache read_pc2(const std::string& path, const std::string& bytes) {
     return cache;
 }
 
-Cache read_mdd(const std::string& path, const std::string& bytes) {
+Cache read_mdd(const std::string& path, std::string_view bytes) {
     constexpr auto order = std::endian::big;
     constexpr size_t header = 8;
     if (bytes.size() < header) throw Error(cat(path, ": is not an MDD cache (shorter than its header)"));
@@ -73,6 +74,14 @@ Cache read_mdd(const std::string& path, const std::string& bytes) {
     return cache;
 }
 
+std::string check_ending(const std::string& path) {
+    const std::string ending = ending_of(path);
+    if (!is_readable_cache(path))
+        throw Error(
+            cat(path, ": cannot read a cache that ends in \"", ending, "\" (known: .pc2, .mdd, .glb)"));
+    return ending;
+}
+
 }  // namespace
 
 bool is_readable_cache(const std::string& path) {
@@ -81,11 +90,12 @@ bool is_readable_cache(const std::string& path) {
 }
 
 Cache read_cache(const std::string& path) {
-    const std::string ending = ending_of(path);
-    if (!is_readable_cache(path))
-        throw Error(
-            cat(path, ": cannot read a cache that ends in \"", ending, "\" (known: .pc2, .mdd, .glb)"));
-    const std::string bytes = read_file(path, largest_cache);
+    check_ending(path);
+    return read_cache_bytes(path, read_file(path, largest_cache));
+}
+
+Cache read_cache_bytes(const std::string& path, std::string_view bytes) {
+    const std::string ending = check_ending(path);
     if (ending == ".glb") return read_glb(path, bytes);
     return ending == ".pc2" ? read_pc2(path, bytes) : read_mdd(path, bytes);
 }

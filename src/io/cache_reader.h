@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/points.h"
@@ -20,5 +21,8 @@ bool is_readable_cache(const std::string& path);
 // The ending chooses; of a glTF only what drape writes is read. Throws Error naming the file if it is
 // missing, of another ending, or if its header does not fit its size.
 Cache read_cache(const std::string& path);
+
+// The same of a file's bytes that are at hand.
+Cache read_cache_bytes(const std::string& path, std::string_view bytes);
 
 }  // namespace drape

@@ -19,18 +19,17 @@ constexpr auto little = std::endian::little;
 constexpr size_t file_header = 12, chunk_header = 8;
 constexpr int real = 5126;
 
-std::uint32_t word_at(const std::string& bytes, size_t at) {
+std::uint32_t word_at(std::string_view bytes, size_t at) {
     return number_at<std::uint32_t>(bytes.data() + at, little);
 }
 
 // The chunk at `at`, whose type is `type`: four letters, or three and a zero.
-std::string_view chunk_at(const std::string& bytes, size_t at, std::string_view type) {
+std::string_view chunk_at(std::string_view bytes, size_t at, std::string_view type) {
     if (bytes.size() < at + chunk_header) throw Error(cat("has no ", type.data(), " chunk"));
-    const std::string_view all(bytes);
     const size_t size = word_at(bytes, at), begin = at + chunk_header;
-    if (all.substr(at + 4, 4) != type || size > bytes.size() - begin)
+    if (bytes.substr(at + 4, 4) != type || size > bytes.size() - begin)
         throw Error(cat("has no whole ", type.data(), " chunk"));
-    return all.substr(begin, size);
+    return bytes.substr(begin, size);
 }
 
 // Tightly packed floats, `rows` of them an element.
@@ -81,7 +80,7 @@ Cache cache_of(const Json& json, std::string_view binary) {
 
 }  // namespace
 
-Cache read_glb(const std::string& path, const std::string& bytes) {
+Cache read_glb(const std::string& path, std::string_view bytes) {
     return in_context(path, [&] {
         if (bytes.size() < file_header || bytes.compare(0, 4, "glTF") != 0)
             throw Error("is not a glTF binary (does not begin with glTF)");

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <string_view>
 
 #include "base/assert.h"
 #include "base/error.h"
@@ -57,6 +58,38 @@ constexpr std::uint64_t largest_picture = 1ULL << 30;  // [bytes]
     return true;
 }();
 
+constexpr size_t header_bytes = 26;
+
+struct PngHeader {
+    int width = 0, height = 0;
+    int bits = 0;  // of a pixel
+};
+
+PngHeader header_of(const std::string& path, std::string_view bytes) {
+    constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8), first_chunk("IHDR");
+    if (bytes.size() < header_bytes || !bytes.starts_with(signature) || bytes.substr(12, 4) != first_chunk)
+        throw Error(cat(path, ": is not a PNG picture: no header of one"));
+    const auto number = [&](size_t at) {
+        unsigned value = 0;
+        for (const char byte : bytes.substr(at, 4)) value = value << 8 | static_cast<unsigned char>(byte);
+        return static_cast<int>(std::min(value, unsigned{std::numeric_limits<int>::max()}));
+    };
+    // by colour type: grey, none, RGB, palette, grey with alpha, none, RGB with alpha
+    constexpr std::array channels{1, 0, 3, 1, 2, 0, 4};
+    const auto depth = static_cast<unsigned char>(bytes[24]), type = static_cast<unsigned char>(bytes[25]);
+    return {number(16), number(20), type < channels.size() ? channels[type] * depth : 0};
+}
+
+// Deflate makes at most 1032 bytes of one: a file that declares more pixels does not have them, and is told
+// so before stb makes room for them.
+void demand_room(const std::string& path, std::string_view bytes) {
+    constexpr double most_of_a_byte = 1032;
+    const PngHeader header = header_of(path, bytes);
+    if (double(header.width) * header.height * header.bits / 8 > most_of_a_byte * double(bytes.size()))
+        throw Error(cat(path, ": declares ", header.width, "x", header.height, " pixels, more than its ",
+                        bytes.size(), " bytes can hold"));
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const Image& image) {
@@ -75,7 +108,11 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 }
 
 Image read_png(const std::string& path) {
-    const std::string bytes = read_file(path, largest_picture);
+    return decode_png(path, read_file(path, largest_picture));
+}
+
+Image decode_png(const std::string& path, std::string_view bytes) {
+    demand_room(path, bytes);
     int width = 0, height = 0, channels = 0;
     const std::unique_ptr<unsigned char, decltype(&std::free)> pixels(
         stbi_load_from_memory(reinterpret_cast<const unsigned char*>(bytes.data()),
@@ -90,18 +127,10 @@ Image read_png(const std::string& path) {
 std::array<int, 2> read_png_size(const std::string& path) {
     check_readable(path, largest_picture);
     std::ifstream file(path, std::ios::binary);
-    std::array<char, 24> header{};
-    file.read(header.data(), header.size());
-    constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8), first_chunk("IHDR");
-    const std::string_view bytes(header.data(), static_cast<size_t>(file.gcount()));
-    if (bytes.size() < header.size() || !bytes.starts_with(signature) || bytes.substr(12, 4) != first_chunk)
-        throw Error(cat(path, ": is not a PNG picture: no header of one"));
-    const auto number = [&](size_t at) {
-        unsigned value = 0;
-        for (const char byte : bytes.substr(at, 4)) value = value << 8 | static_cast<unsigned char>(byte);
-        return static_cast<int>(std::min(value, unsigned{std::numeric_limits<int>::max()}));
-    };
-    return {number(16), number(20)};
+    std::array<char, header_bytes> bytes{};
+    file.read(bytes.data(), bytes.size());
+    const PngHeader header = header_of(path, {bytes.data(), static_cast<size_t>(file.gcount())});
+    return {header.width, header.height};
 }
 
 }  // namespace drape

@@ -30,7 +30,6 @@ constexpr std::array kinds{
                 make_pseudo_random},
 };
 
-// At least as many as the pattern will have, but for a few.
 double about_vertices(const PatternKind& kind, const PatternSize& size) {
     const double columns = size.columns + 1.0, on_grid = columns * (size.rows + 1.0);
     if (kind.on_grid) return on_grid;
@@ -44,6 +43,10 @@ double about_vertices(const PatternKind& kind, const PatternSize& size) {
 
 std::span<const PatternKind> pattern_kinds() {
     return kinds;
+}
+
+double about_vertices(std::string_view name, const PatternSize& size) {
+    return about_vertices(find_named(kinds, "pattern", name), size);
 }
 
 Mesh make_pattern(std::string_view name, const PatternSize& size) {

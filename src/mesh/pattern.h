@@ -26,6 +26,9 @@ struct PatternKind {
 
 std::span<const PatternKind> pattern_kinds();
 
+// At least as many as the pattern will have, but for a few. Throws Error for an unknown name.
+double about_vertices(std::string_view name, const PatternSize& size);
+
 // A horizontal sheet centred on the origin at y = 0, front side up, uv = (x, z) / size from corner to corner.
 // Vertices run row by row along x, of irregular patterns about so. Throws Error for an unknown name, a size
 // that is not positive or too fine.

@@ -38,10 +38,11 @@ Json plan_json(const Plan& plan) {
     return {{"used", used}, {"left_out", left_out}};
 }
 
-Json frame_json(const FrameReport& frame) {
+Json frame_json(const FrameReport& frame, const std::string& picture) {
     return {{"index", frame.index},
             {"time_s", frame.time},
             {"hash", frame.hash},
+            {"picture_hash", picture.empty() ? Json(nullptr) : Json(picture)},
             {"error_m", known(frame.error_rms)},
             {"error_max_m", known(frame.error_max)},
             {"steps", frame.steps},
@@ -162,7 +163,8 @@ std::string report_json(const RunReport& r) {
     json["plan"] = plan_json(r.plan);
     json["notes"] = r.notes;
     json["frames"] = Json::array();
-    for (const FrameReport& frame : r.frames) json["frames"].push_back(frame_json(frame));
+    for (size_t k = 0; k < r.frames.size(); ++k)
+        json["frames"].push_back(frame_json(r.frames[k], k < r.pictures.size() ? r.pictures[k] : ""));
     // a file's name may hold bytes that are no UTF-8
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -33,6 +33,7 @@ struct RunReport {
     EnergyFlow flow;
     Plan plan;
     std::vector<FrameReport> frames;
+    std::vector<std::string> pictures;  // hashes of these frames' files; "" or left out: none was drawn
     std::vector<std::string> notes;
 
     long steps() const;

@@ -66,7 +66,12 @@ const std::vector<Value>& tables_of(const Value& value, const std::string& name)
 }  // namespace
 
 SceneDescription read_scene(const std::string& path, const std::vector<std::string>& overrides) {
-    Value root = parse_toml(file_text(path), path);
+    return read_scene_text(file_text(path), path, overrides);
+}
+
+SceneDescription read_scene_text(std::string_view text, const std::string& path,
+                                 const std::vector<std::string>& overrides) {
+    Value root = parse_toml(text, path);
     for (const std::string& assignment : overrides) apply_override(root, assignment);
     check_schema(root, path);
     const Keys keys(root, "scene file",

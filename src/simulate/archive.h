@@ -41,6 +41,7 @@ public:
     requires std::is_arithmetic_v<Number> Number take() {
         Number value{};
         if (rest_.size() < sizeof value) return fail(value);
+        if (std::is_same_v<Number, bool> && rest_.front() != 0 && rest_.front() != 1) return fail(value);
         std::memcpy(&value, rest_.data(), sizeof value);
         rest_.remove_prefix(sizeof value);
         return value;

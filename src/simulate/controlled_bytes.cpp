@@ -1,25 +1,12 @@
 // Checkpoints of a controlled run: the last two passes' frames, the pass that runs, and what is known so far.
+#include <algorithm>
+
 #include "simulate/controlled_delivery.h"
+#include "simulate/frame_bytes.h"
 
 namespace drape {
 
 namespace {
-
-template <class Report, class Visit>
-void each_number(Report& report, Visit visit) {
-    visit(report.index);
-    visit(report.time);
-    visit(report.steps);
-    visit(report.planned_steps);
-    visit(report.retries);
-    visit(report.shortest_step);
-    visit(report.contacts);
-    visit(report.crossings);
-    visit(report.least_distance);
-    visit(report.strain);
-    visit(report.fastest);
-    visit(report.cpu_seconds);
-}
 
 template <class Record, class Visit>
 void each_record_number(Record& record, Visit visit) {
@@ -36,12 +23,7 @@ void put_pass(ByteWriter& out, const Pass& pass) {
     out.put(pass.jumps);
     out.put(pass.x.size());
     for (const Points& x : pass.x) out.put(x);
-    out.put(pass.frames.size());
-    for (const FrameReport& frame : pass.frames) {
-        each_number(frame, [&](auto value) { out.put(value); });
-        out.put(frame.hash);
-        out.put(frame.trouble);
-    }
+    put_frames(out, pass.frames);
 }
 
 Pass take_pass(ByteReader& in) {
@@ -50,13 +32,18 @@ Pass take_pass(ByteReader& in) {
     pass.steps = in.take<double>();
     pass.jumps = in.take<bool>();
     for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) pass.x.push_back(in.take_points());
-    for (auto count = in.take<size_t>(); count > 0 && in.ok(); --count) {
-        FrameReport& frame = pass.frames.emplace_back();
-        each_number(frame, [&](auto& value) { value = in.take<std::decay_t<decltype(value)>>(); });
-        frame.hash = in.take_text();
-        frame.trouble = in.take_text();
-    }
+    pass.frames = take_frames(in);
     return pass;
+}
+
+// As passes of a run are: positions of all vertices at as many frames as are told of, but for one that went
+// wrong.
+bool is_whole(const Pass& pass, Eigen::Index vertices, int frames) {
+    const auto fits = [&](const Points& x) { return x.cols() == vertices && x.allFinite(); };
+    const size_t done = pass.x.size();
+    return pass.refine > 0 && pass.refine < 1e9 && done <= static_cast<size_t>(frames) &&
+           (pass.frames.size() == done || pass.frames.size() == done + 1 || pass.frames.empty()) &&
+           std::all_of(pass.x.begin(), pass.x.end(), fits);
 }
 
 void put_list(ByteWriter& out, const std::vector<double>& list) {
@@ -119,6 +106,13 @@ bool ControlledDelivery::restore(std::string_view bytes) {
         each_record_number(record, [&](auto& value) { value = in.take<std::decay_t<decltype(value)>>(); });
     }
     if (!in.ok() || row_ < 0 || static_cast<size_t>(row_) >= rows_.size()) return false;
+    const Eigen::Index vertices = shown_.x.cols();
+    if (!is_whole(before, vertices, frames_) || !is_whole(now, vertices, frames_)) return false;
+    if (delivered_ < 0 || static_cast<size_t>(delivered_) > now.frames.size() ||
+        (delivered_ > 0 && !accepted_))
+        return false;
+    if (row_distance_.size() > row_steps_.size() || row_steps_.size() > row_distance_.size() + 1)
+        return false;
     start_pass(now.refine);
     if (!running_->restore(in)) return false;
     twin_.reset();

@@ -177,6 +177,10 @@ bool Simulation::restore(ByteReader& in) {
     flow.dissipated = in.take<double>();
     flow.driven = in.take<double>();
     if (!in.ok() || state.x.cols() != state_.x.cols() || state.v.cols() != state_.v.cols()) return false;
+    // no run saves anything else: what is wrong here would not be told apart from a simulation gone wrong
+    if (frame < 0 || frame > setup_.frames || !state.x.allFinite() || !state.v.allFinite() ||
+        !(std::abs(state.time * setup_.frame_rate - frame) < 1e-6 * (1 + frame)))
+        return false;
     frame_ = frame;
     state_ = state;
     dynamics_->reset_flow(flow);

@@ -97,11 +97,11 @@ std::string_view name_of(Collapse collapse) {
     return collapse_kinds[static_cast<size_t>(collapse)].name;
 }
 
-std::vector<Recovery> measure_recovery(int trials) {
+std::vector<Recovery> measure_recovery(int trials, const std::function<bool()>& stop) {
     std::vector<Recovery> recoveries;
     for (const CollapseKind& kind : collapse_kinds)
         for (const auto& word : altitude_words)
-            recoveries.push_back(recovery_of(word.choice, kind.collapse, trials));
+            if (!stop()) recoveries.push_back(recovery_of(word.choice, kind.collapse, trials));
     return recoveries;
 }
 

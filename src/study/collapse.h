@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +37,9 @@ struct Recovery {
 // later. A triangle is collapsed whose area, seen along the rest normal and negative when turned over, is
 // below a tenth of its rest area, and recovered if it ends above half of that. Every mode starts from the
 // same places.
-std::vector<Recovery> measure_recovery(int trials);
+// Once `stop` says so, the modes that are left are not measured.
+std::vector<Recovery> measure_recovery(
+    int trials, const std::function<bool()>& stop = [] { return false; });
 
 // "collapsed triangles recovered in plane: none 52 %, all 70 %, ...": a line for each start;
 // none for no recoveries.

@@ -58,7 +58,7 @@ void judge_all(StabilityMap& map, const std::vector<std::vector<Sample>>& sample
     std::mutex saying;
     const size_t total = map.cells.size(), tenth = std::max<size_t>(1, total / 10);
     const auto work = [&] {
-        for (size_t i = next++; i < total; i = next++) {
+        for (size_t i = next++; i < total && !options.stop(); i = next++) {
             StabilityCell& cell = map.cells[i];
             const auto k = std::lower_bound(map.stiffness.begin(), map.stiffness.end(), cell.stiffness) -
                            map.stiffness.begin();
@@ -117,7 +117,7 @@ StabilityMap make_stability_map(std::vector<StabilityCloth> cloths, size_t whole
         add_cells(map, c, c < whole ? options.methods : std::vector<const Method*>{}, of_cloth);
     }
     judge_all(map, samples, options);
-    if (options.recovery_trials > 0) map.recoveries = measure_recovery(options.recovery_trials);
+    if (options.recovery_trials > 0) map.recoveries = measure_recovery(options.recovery_trials, options.stop);
     map.cpu_seconds = process_cpu_seconds() - began;
     return map;
 }

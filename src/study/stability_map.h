@@ -23,6 +23,7 @@ struct StabilityOptions {
     int recovery_trials = 0;  // of every altitude mode
     int threads = 1;          // not used to change any result
     std::function<void(const std::string&)> say = [](const std::string&) {};
+    std::function<bool()> stop = [] { return false; };  // true: the map's rest is left unjudged
 };
 
 // Evenly on a log axis from `low` to `high`, both included.

@@ -1,7 +1,7 @@
 // Whole runs of the program: what they leave behind, and that it is the same every time.
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
+#include "app/small_drop.h"
 #include "io/cache_reader.h"
 #include "io/png.h"
 #include "support/run_program.h"
@@ -9,24 +9,8 @@
 
 using namespace drape;
 using namespace drape::test;
-using Json = nlohmann::json;
 
 namespace {
-
-// A sheet falls on a ball; four frames, or as many as `duration` has.
-std::string small_drop(const std::string& duration = "0.4", const std::string& more = "") {
-    return "schema = 1\n[scene]\nduration = " + duration +
-           "\nframe_rate = 10\n[[cloth]]\npattern = { name = \"alternating\", size = [1, 1], divisions = "
-           "[12, 12] }\n"
-           "place = { translate = [0, 0.45, 0] }\nfabric = \"cotton\"\n"
-           "[[obstacle]]\nshape = \"sphere\"\ncentre = [0, 0, 0]\nradius = 0.4\n"
-           "[render]\nsize = [160, 90]\ncamera = { from = [1, 1, 2], at = [0, 0.2, 0], fov_deg = 35 }\n" +
-           more;
-}
-
-Json report_of(const std::string& folder) {
-    return Json::parse(bytes_of(folder + "/report.json"));
-}
 
 // Starts a run, and interrupts it soon after `sign` is there.
 void interrupt(const char* verb, const std::string& scene, const std::string& out, const std::string& sign) {

@@ -90,3 +90,19 @@ TEST_CASE("what stability cannot do is one line", "[study]") {
         CHECK(folder.files() == 0);
     }
 }
+
+TEST_CASE("drape stability interrupted ends with 130 and leaves nothing half-written", "[study]") {
+    const TemporaryFolder folder;
+    const std::string out = folder.file("out");
+    const auto interrupted = [&](const char* sign) {
+        return interrupted_drape({"stability", "--out", out, "--method", "verlet", "--runs", "2", "--quiet"},
+                                 [&] { return std::filesystem::exists(out + sign); });
+    };
+    CHECK(interrupted("") == 130);
+    CHECK(std::filesystem::is_empty(out));
+    // while gnuplot draws
+    CHECK(interrupted("/plots.gp") == 130);
+    CHECK_FALSE(std::filesystem::exists(out + "/index.html"));
+    for (const auto& entry : std::filesystem::directory_iterator(out))
+        CHECK_THAT(entry.path().filename().string(), !Catch::Contains("part"));
+}

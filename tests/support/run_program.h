@@ -1,6 +1,8 @@
 // The program as its users run it: arguments in; exit code, standard output and standard error out.
 #pragma once
 
+#include <csignal>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,8 +18,13 @@ struct Ran {
 // Runs DRAPE_PROGRAM in `folder`; returns when it ended.
 Ran run_drape(const std::vector<std::string>& arguments, const std::string& folder = ".");
 
-// Runs DRAPE_PROGRAM and interrupts it soon after `sign` says so, unless it has ended by then. Returns the
-// exit code.
-int interrupted_drape(const std::vector<std::string>& arguments, const std::function<bool()>& sign);
+// The same with a limit on a resource (RLIMIT_FSIZE, RLIMIT_AS).
+Ran run_drape_within(int resource, std::uint64_t most, const std::vector<std::string>& arguments,
+                     const std::string& folder = ".");
+
+// Runs DRAPE_PROGRAM and sends it `signal` soon after `sign` says so, unless it has ended by then. Returns
+// the exit code.
+int interrupted_drape(const std::vector<std::string>& arguments, const std::function<bool()>& sign,
+                      int signal = SIGINT);
 
 }  // namespace drape::test

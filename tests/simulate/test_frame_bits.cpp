@@ -17,12 +17,12 @@ std::string printed_by(const std::string& program) {
 
 }  // namespace
 
-TEST_CASE("the sweeps give the same bits at any vector width", "[force]") {
-    const std::string narrow = printed_by(SWEEP_BITS_NARROW);
-    CHECK_THAT(narrow, Catch::Contains("damped blend heat 0x") &&
-                           Catch::Contains("damped membrane heat 0x") && !Catch::Contains("nan"));
-    CHECK(printed_by(SWEEP_BITS) == narrow);
-#ifdef SWEEP_BITS_AVX2
-    if (__builtin_cpu_supports("avx2")) CHECK(printed_by(SWEEP_BITS_AVX2) == narrow);
+TEST_CASE("every method gives the same bits at any vector width", "[simulate]") {
+    const std::string narrow = printed_by(FRAME_BITS_NARROW);
+    CHECK_THAT(narrow, Catch::Contains("flag verlet ") && Catch::Contains("neo_hookean xpbd ") &&
+                           !Catch::Contains("nan"));
+    CHECK(printed_by(FRAME_BITS) == narrow);
+#ifdef FRAME_BITS_AVX2
+    if (__builtin_cpu_supports("avx2")) CHECK(printed_by(FRAME_BITS_AVX2) == narrow);
 #endif
 }
