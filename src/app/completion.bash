@@ -22,17 +22,21 @@ _drape() {
                 embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2 projective_dynamics" -- "$word")
             return
             ;;
-        --from | --checkpoint-every | --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms | --limit | --ignore | --fps | --speed | --loop | --caption | --label | --columns | --width | --at-most | --only) return ;;
+        --from | --checkpoint-every | --step | --tolerance | --threads | --set | --frames | --size | --until | --bending-length | --density | --repeats | --budget | --share | --mean | --rms | --limit | --ignore | --fps | --speed | --loop | --caption | --label | --columns | --width | --at-most | --only) return ;;
     esac
 
     local words
+    if [[ $verb == lab && $previous == fit ]]; then
+        mapfile -t COMPREPLY < <(compgen -f -- "$word")
+        return
+    fi
     case $verb in
         render) words="$run --frames --size --video" ;;
         simulate) words="$run" ;;
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
-        lab) words="anisotropy density compression erratum jumps --out --quiet --help" ;;
+        lab) words="anisotropy density compression erratum jumps conflict fabric validation fit --out --bending-length --density --quiet --help" ;;
         compare) words="--share --mean --rms --limit --ignore --perceptual --hausdorff --html --json --junit --accept --quiet --help" ;;
         gallery) words="--out --only --quick --threads --quiet --help" ;;
         video) words="--out --fps --speed --boomerang --loop --caption --no-caption --width --at-most --side-by-side --label --columns --difference --quiet --help" ;;
