@@ -13,6 +13,7 @@ RunReport two_frames() {
     RunReport report;
     report.scene = "a \"quoted\" scene";
     report.version = "1.2.3";
+    report.vertices = 289;
     report.method = &method_named("verlet");
     report.chosen_because = "asked for";
     report.step = 1e-4;
@@ -47,6 +48,7 @@ RunReport two_frames() {
 TEST_CASE("report.json says what the frames add up to, and null where nothing is known", "[report]") {
     const auto json = nlohmann::json::parse(report_json(two_frames()));
     CHECK(json["scene"] == "a \"quoted\" scene");
+    CHECK(json["vertices"] == 289);
     CHECK(json["method"]["steps"] == 100);
     CHECK(json["method"]["margin"] == Approx(2));
     CHECK(json["energy"]["drift_j"] == Approx(7 - 10 - 0.25 + 3.5));
