@@ -67,6 +67,12 @@ void Simulation::build() {
     const double duration = setup_.frames / setup_.frame_rate;
     const double reach = travel_allowance(model, state_, setup_.world, duration);
     std::vector<Obstacle> within_reach;
+    const bool meets_itself = std::any_of(model.cloths.begin(), model.cloths.end(),
+                                          [](const Cloth& cloth) { return cloth.self_contact; });
+    if (meets_itself)
+        plan_.use("self contact", "asked for");
+    else
+        plan_.leave_out("self contact", "no cloth has self_contact = true");
     if (setup_.obstacles.empty()) plan_.leave_out("contact", "no obstacle in the scene");
     for (size_t i = 0; i < setup_.obstacles.size(); ++i) {
         const Obstacle& obstacle = setup_.obstacles[i];
@@ -84,12 +90,6 @@ void Simulation::build() {
     }
     for (const Cloth& cloth : model.cloths)
         rubs_ = rubs_ || (cloth.self_contact && cloth.fabric.friction > 0);
-    const bool meets_itself = std::any_of(model.cloths.begin(), model.cloths.end(),
-                                          [](const Cloth& cloth) { return cloth.self_contact; });
-    if (meets_itself)
-        plan_.use("contact of cloth with cloth", "self_contact = true");
-    else
-        plan_.leave_out("contact of cloth with cloth", "self_contact = false");
     std::unique_ptr<Contact> contact;
     if (!within_reach.empty() || meets_itself) {
         contact = std::make_unique<Contact>(model, within_reach, setup_.world.gravity, state_, duration);
