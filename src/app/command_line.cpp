@@ -79,7 +79,8 @@ void add_run_options(CLI::App& verb, const std::shared_ptr<RunOptions>& run) {
     verb.add_option("--set", run->set, "change a value of the scene; may be given again")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    verb.add_option("--cache", run->cache, "positions of the start and of every frame: .pc2 .mdd .obj .ply")
+    verb.add_option("--cache", run->cache,
+                    "positions of the start and of every frame: .pc2 .mdd .obj .ply .glb")
         ->type_name("FILE");
     verb.add_flag("--resume", run->resume, "go on from the folder's checkpoint, if there is one");
     verb.add_option_function<int>(
@@ -200,7 +201,24 @@ Action declare_stability(CLI::App& verb) {
 
 Action declare_lab(CLI::App& verb) {
     auto lab = std::make_shared<LabRequest>();
-    verb.add_option("EXPERIMENT", lab->experiments, "drape list lab (default: all, in their order)");
+    verb.add_option(
+        "EXPERIMENT", lab->experiments,
+        "drape list lab (default: all, in their order); or fabric NAME...; or fit FILE, a CSV of strain "
+        "and force per width in N/m");
+    verb.add_option_function<std::string>(
+            "--bending-length",
+            [lab](const std::string& text) {
+                lab->bending_length = positive_number(text, "--bending-length", "metres over 0");
+            },
+            "fit: the measured bending length, in metres")
+        ->type_name("M");
+    verb.add_option_function<std::string>(
+            "--density",
+            [lab](const std::string& text) {
+                lab->density = positive_number(text, "--density", "kg/m^2 over 0");
+            },
+            "fit: the cloth's mass per area, in kg/m^2")
+        ->type_name("KG");
     verb.add_option("--out", lab->out, "folder of the results (default: renders/lab)")->type_name("DIR");
     verb.add_flag("--quiet", lab->quiet, "print nothing but errors");
     return [lab] { return run_lab(*lab); };
@@ -209,7 +227,7 @@ Action declare_lab(CLI::App& verb) {
 Action declare_compare(CLI::App& verb) {
     auto asked = std::make_shared<CompareRequest>();
     verb.add_option("RESULT", asked->result,
-                    "a picture, a cache (.pc2, .mdd), or a folder of frames and caches")
+                    "a picture, a cache (.pc2, .mdd, .glb), or a folder of frames and caches")
         ->required();
     verb.add_option("REFERENCE", asked->reference, "what it should be like, of the same kind")->required();
     const struct {
@@ -279,6 +297,13 @@ Action declare_video(CLI::App& verb) {
     verb.add_option("--width", asked->width, "resize each picture to so many pixels across")
         ->type_name("N")
         ->check(CLI::Range(1, 16384));
+    verb.add_option_function<std::string>(
+            "--at-most",
+            [asked](const std::string& text) {
+                asked->most_megabytes = positive_number(text, "--at-most", "megabytes over 0");
+            },
+            "give up frames, quality and size until the file has at most so many megabytes")
+        ->type_name("MB");
     verb.add_flag("--side-by-side", asked->side_by_side, "a pane for each sequence, playing together");
     verb.add_option("--label", asked->labels,
                     "in the upper corner; again for each sequence (default: of a pane its folder's name)")
@@ -290,6 +315,23 @@ Action declare_video(CLI::App& verb) {
     verb.add_flag("--difference", asked->difference, "one more pane: what two sequences differ in, times 16");
     verb.add_flag("--quiet", asked->quiet, "print nothing but errors");
     return [asked] { return make_video(*asked); };
+}
+
+Action declare_gallery(CLI::App& verb) {
+    auto asked = std::make_shared<GalleryRequest>();
+    verb.add_option("FILE", asked->file,
+                    "what to show, a TOML file (default: every demo scene and comparisons)");
+    verb.add_option("--out", asked->out, "folder of the page (default: renders/gallery_page)")
+        ->type_name("DIR");
+    verb.add_option("--only", asked->only, "make only this piece; may be given again")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    verb.add_flag("--quick", asked->quick, "the first 15 frames of each, small");
+    verb.add_option("--threads", asked->threads, "how many threads (default: one per core)")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    verb.add_flag("--quiet", asked->quiet, "print nothing but errors");
+    return [asked] { return make_gallery(*asked); };
 }
 
 Action declare_mesh(CLI::App& verb) {
@@ -329,6 +371,7 @@ constexpr std::array verbs{
     Verb{"lab", "Measure what lecture notes claim of springs, and show it", declare_lab},
     Verb{"compare", "Hold pictures, caches or folders of them against references", declare_compare},
     Verb{"video", "Make a video or a looping picture of PNG sequences", declare_video},
+    Verb{"gallery", "Render scenes and comparisons to looping pictures and a page of them", declare_gallery},
     Verb{"mesh", "Write a generated cloth mesh", declare_mesh},
     Verb{"list", "Print the names a scene or a command may use", declare_list},
 };

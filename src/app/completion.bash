@@ -6,7 +6,7 @@ _drape() {
     COMPREPLY=()
 
     if ((COMP_CWORD == 1)); then
-        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study stability lab compare video mesh list --help --version" -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W "render simulate inspect study stability lab compare video gallery mesh list --help --version" -- "$word")
         return
     fi
     case $previous in
@@ -22,7 +22,7 @@ _drape() {
                 embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2 projective_dynamics" -- "$word")
             return
             ;;
-        --from | --checkpoint-every | --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms | --limit | --ignore | --fps | --speed | --loop | --caption | --label | --columns | --width) return ;;
+        --from | --checkpoint-every | --step | --tolerance | --threads | --set | --frames | --size | --until | --repeats | --budget | --share | --mean | --rms | --limit | --ignore | --fps | --speed | --loop | --caption | --label | --columns | --width | --at-most | --only) return ;;
     esac
 
     local words
@@ -34,7 +34,8 @@ _drape() {
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
         lab) words="anisotropy density compression erratum jumps --out --quiet --help" ;;
         compare) words="--share --mean --rms --limit --ignore --perceptual --hausdorff --html --json --junit --accept --quiet --help" ;;
-        video) words="--out --fps --speed --boomerang --loop --caption --no-caption --width --side-by-side --label --columns --difference --quiet --help" ;;
+        gallery) words="--out --only --quick --threads --quiet --help" ;;
+        video) words="--out --fps --speed --boomerang --loop --caption --no-caption --width --at-most --side-by-side --label --columns --difference --quiet --help" ;;
         mesh) words="one_way alternating crossed equilateral pseudo_random -o --size --divisions --seed --help" ;;
         list) words="scenes fabrics methods obstacles patterns membranes lab --help" ;;
         *) return ;;

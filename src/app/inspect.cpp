@@ -6,6 +6,7 @@
 #include "app/demo_scenes.h"
 #include "app/verbs.h"
 #include "io/load_mesh.h"
+#include "mesh/crossings.h"
 #include "mesh/quality.h"
 #include "scene/builder.h"
 #include "scene/reader.h"
@@ -119,6 +120,11 @@ Exit inspect_mesh(const std::string& path) {
     print_mesh(loaded.mesh);
     std::printf("  left out            %d triangles without area, %d points and lines, %d unused vertices\n",
                 loaded.dropped_zero_area, loaded.dropped_points_lines, loaded.unused_vertices);
+    const Crossings crossings = count_crossings(loaded.mesh.faces, loaded.mesh.rest);
+    std::printf("  crossings           %d triangles cross or touch others, in %d pairs", crossings.triangles,
+                crossings.pairs);
+    if (crossings.pairs > 0) std::printf(", the first %d and %d", crossings.first[0], crossings.first[1]);
+    std::printf("\n");
     for (const std::string& note : loaded.notes) std::printf("  note                %s\n", note.c_str());
     return Exit::done;
 }

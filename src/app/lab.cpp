@@ -1,13 +1,19 @@
 // lab: claims of lecture notes on springs, measured, as tables, figures and a page.
+#include <algorithm>
 #include <cstdio>
+#include <functional>
 
 #include "app/verbs.h"
 #include "app/version.h"
 #ifdef DRAPE_WITH_STUDY
 #include "app/plots.h"
+#include "base/names.h"
 #include "base/shell_word.h"
+#include "cloth/fabric.h"
 #include "io/read_file.h"
 #include "io/write_file.h"
+#include "lab/fabrics.h"
+#include "lab/fit.h"
 #include "lab/page.h"
 #include "lab/plot.h"
 #endif
@@ -23,7 +29,44 @@ constexpr std::uint64_t largest_plot = std::uint64_t{64} << 20;  // [bytes]
 std::string command_of(const LabRequest& request) {
     std::string command = "drape lab";
     for (const std::string& name : request.experiments) command += cat(" ", shell_word(name));
+    if (request.bending_length) command += cat(" --bending-length ", *request.bending_length);
+    if (request.density) command += cat(" --density ", *request.density);
     return command;
+}
+
+struct Chapter {
+    const Experiment* experiment;
+    std::function<LabResult()> run;
+};
+
+const Experiment fitting{"fit", "spring constants from a measured stretch curve and bending length", nullptr};
+
+// `fit` and a file; `fabric` and names of fabrics; else experiments.
+std::vector<Chapter> chapters_asked(const LabRequest& request) {
+    const std::vector<std::string>& words = request.experiments;
+    const bool fits = !words.empty() && words.front() == fitting.name;
+    if (!fits && (request.bending_length || request.density))
+        throw Error("--bending-length and --density are for `drape lab fit FILE`");
+    if (fits) {
+        if (words.size() != 2 || !request.bending_length || !request.density)
+            throw Error("lab fit: expected one file with --bending-length and --density");
+        return {{&fitting, [&request] {
+                     return run_fit({request.experiments[1], *request.bending_length, *request.density});
+                 }}};
+    }
+    const auto all = names_of(experiments());
+    const bool named = words.size() > 1 && words.front() == "fabric" &&
+                       std::find(all.begin(), all.end(), words[1]) == all.end();
+    const std::span<const std::string> span(words);
+    if (named) {
+        for (const std::string& name : span.subspan(1)) fabric_preset(name);
+        return {
+            {experiments_named(span.first(1)).front(), [span] { return measure_fabrics(span.subspan(1)); }}};
+    }
+    std::vector<Chapter> chapters;
+    for (const Experiment* experiment : experiments_named(words))
+        chapters.push_back({experiment, experiment->run});
+    return chapters;
 }
 
 GnuplotRun draw(std::vector<LabChapter>& chapters, const std::string& out) {
@@ -40,12 +83,13 @@ GnuplotRun draw(std::vector<LabChapter>& chapters, const std::string& out) {
 }  // namespace
 
 Exit run_lab(const LabRequest& request) {
-    const std::vector<const Experiment*> wanted = experiments_named(request.experiments);
+    const std::vector<Chapter> wanted = chapters_asked(request);
+    if (wanted.front().experiment == &fitting) read_stretch_curve(request.experiments[1]);
     const std::string out = request.out.empty() ? "renders/lab" : request.out;
     make_folder(out);
     std::vector<LabChapter> chapters;
-    for (const Experiment* experiment : wanted) {
-        chapters.push_back({experiment, experiment->run(), {}});
+    for (const auto& [experiment, run] : wanted) {
+        chapters.push_back({experiment, run(), {}});
         const LabResult& result = chapters.back().result;
         for (const LabCsv& csv : result.csv) write_file(cat(out, "/", csv.file, ".csv"), csv.text);
         if (request.quiet) continue;

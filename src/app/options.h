@@ -57,7 +57,9 @@ struct StabilityRequest {
 };
 
 struct LabRequest {
-    std::vector<std::string> experiments;  // none = all
+    std::vector<std::string> experiments;  // none = all; or "fabric" and fabrics; or "fit" and a file
+    std::optional<double> bending_length;  // of `fit` [m]
+    std::optional<double> density;         // [kg/m^2]
     std::string out;                       // "" = renders/lab
     bool quiet = false;
 };
@@ -84,6 +86,16 @@ struct VideoRequest {
     bool side_by_side = false, difference = false;
     int columns = 0;  // of panes; 0 = all in one row
     int width = 0;    // of each picture [pixels]; 0 = as they are
+    std::optional<double> most_megabytes;
+    bool quiet = false;
+};
+
+struct GalleryRequest {
+    std::string file;               // "" = the one that comes with drape
+    std::string out;                // "" = renders/gallery_page
+    std::vector<std::string> only;  // names of pieces; none = all
+    int threads = 0;                // of each run; 0 = as many as there are cores
+    bool quick = false;             // the first frames, small
     bool quiet = false;
 };
 

@@ -8,8 +8,8 @@
 
 namespace drape {
 
-RunCaches::RunCaches(const std::string& path, const Model& model, double frame_rate, int frames,
-                     const std::string& kept, const Points& start, int done)
+RunCaches::RunCaches(const std::string& path, const Model& model, const std::vector<Colour>& colours,
+                     double frame_rate, int frames, const std::string& kept, const Points& start, int done)
     : kept_(kept, start.cols(), done) {
     const std::filesystem::path cache(path);
     if (cache.has_parent_path()) make_folder(cache.parent_path().string());
@@ -20,7 +20,7 @@ RunCaches::RunCaches(const std::string& path, const Model& model, double frame_r
         if (model.cloths.size() > 1)
             file.replace_filename(cat(cache.stem().string(), "_cloth", c + 1, cache.extension().string()));
         parts_.push_back({cloth.first, cloth.vertices(),
-                          make_cache_writer(file.string(), cloth.mesh, frame_rate, frames + 1)});
+                          make_cache_writer(file.string(), cloth.mesh, frame_rate, frames + 1, colours[c])});
     }
     add_to_writers(start);
     for (int frame = 1; frame <= done; ++frame) add_to_writers(kept_.read(frame));

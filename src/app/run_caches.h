@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/colour.h"
 #include "cloth/model.h"
 #include "io/cache_writer.h"
 #include "io/kept_positions.h"
@@ -13,10 +14,11 @@ namespace drape {
 
 class RunCaches {
 public:
-    // `path` as --cache has it. `kept` is a file for the positions of frames that are not in a finished cache
-    // yet; of an earlier run it holds the first `done` frames, which come after the `start`.
-    RunCaches(const std::string& path, const Model& model, double frame_rate, int frames,
-              const std::string& kept, const Points& start, int done);
+    // `path` as --cache has it, `colours` of every cloth. `kept` is a file for the positions of frames that
+    // are not in a finished cache yet; of an earlier run it holds the first `done` frames, which come after
+    // the `start`.
+    RunCaches(const std::string& path, const Model& model, const std::vector<Colour>& colours,
+              double frame_rate, int frames, const std::string& kept, const Points& start, int done);
 
     void add(const Points& positions);  // of the next frame
     void flush();                       // a checkpoint may count what was added

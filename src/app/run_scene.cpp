@@ -17,9 +17,11 @@
 #include "app/verification.h"
 #include "app/version.h"
 #include "io/write_file.h"
+#include "picture/palette.h"
 #include "report/report.h"
 #include "scene/builder.h"
 #include "scene/predicted_memory.h"
+#include "toml/value.h"
 #ifdef DRAPE_WITH_RENDER
 #include "app/frame_video.h"
 #include "app/picture_line.h"
@@ -35,6 +37,13 @@ namespace fs = std::filesystem;
 int threads_of(const RunOptions& options) {
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     return options.threads > 0 ? options.threads : static_cast<int>(cores);
+}
+
+std::vector<Colour> front_colours(const SceneDescription& scene) {
+    std::vector<Colour> colours;
+    for (size_t c = 0; c < scene.cloths.size(); ++c)
+        colours.push_back(scene.cloths[c].colours.front.value_or(cloth_palette(static_cast<int>(c)).front));
+    return colours;
 }
 
 // One run from scene to report, step by step.
@@ -98,6 +107,7 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
         report_.notes = built.notes;
         DeliveryOptions wanted = delivery_options();
         if (!options.replay.empty()) replay(built.setup, wanted);
+        built.setup.stop = interrupted_for_seconds;
         identify(identity_, scene_, built.setup.method, wanted.replay);
         delivery_ = make_delivery(std::move(built.setup), wanted);
     }
@@ -114,8 +124,8 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     const Points start = delivery_->state().x;
     if (options.resume) resume();
     if (!options.cache.empty())
-        caches_.emplace(options.cache, simulation.model(), scene_.frame_rate, drawn_[1],
-                        kept_positions_of(out_), start, delivery_->frame());
+        caches_.emplace(options.cache, simulation.model(), front_colours(scene_), scene_.frame_rate,
+                        drawn_[1], kept_positions_of(out_), start, delivery_->frame());
 }
 
 // Told before anything is built, for what is not there is taken from other programs first.
@@ -140,8 +150,8 @@ DeliveryOptions Run::delivery_options() const {
 void Run::replay(Setup& setup, DeliveryOptions& wanted) {
     const Replay earlier = read_replay(options_.replay);
     if (earlier.scene != scene_.name)
-        throw Error(cat(options_.replay, ": is of the scene ", quoted(earlier.scene), ", not of ",
-                        quoted(scene_.name)));
+        throw Error(cat(options_.replay, ": is of the scene ", in_quotes(earlier.scene), ", not of ",
+                        in_quotes(scene_.name)));
     if (earlier.steps.size() < static_cast<size_t>(drawn_[1]))
         throw Error(cat(options_.replay, ": has ", earlier.steps.size(), " frames, this run ", drawn_[1]));
     setup.method = earlier.method;
@@ -310,6 +320,7 @@ void Run::finish(bool complete) {
     if (caches_) caches_->finish();
     add_output_stages();
     const Simulation& simulation = delivery_->simulation();
+    for (const Cloth& cloth : simulation.model().cloths) report_.vertices += cloth.vertices();
     report_.method = &simulation.method();
     report_.chosen_because = simulation.chosen_because();
     report_.step = simulation.step();

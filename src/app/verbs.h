@@ -17,6 +17,7 @@ Exit run_lab(const LabRequest& request);
 void list_experiments(void (*row)(std::string_view name, std::string_view says));  // of the lab
 Exit compare_results(const CompareRequest& request);
 Exit make_video(const VideoRequest& request);
+Exit make_gallery(const GalleryRequest& request);
 Exit write_pattern(const PatternOptions& options);
 Exit list_kinds(const std::string& kind);  // "" = all
 

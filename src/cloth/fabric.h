@@ -45,6 +45,7 @@ struct Fabric {
         0;  // bending rigidity B [N m]; for BendingKind::spring a fraction of the stretch stiffness
     double poisson = 0.3;         // of bending, plates only [-]
     double damping = 0;           // ratio of critical for a single spring, [-]
+    double friction = 0.3;        // Coulomb's coefficient of cloth on cloth [-]
     double weighed_in = 9.80665;  // gravity in which its bending length is measured [m/s^2]
 };
 

@@ -21,6 +21,7 @@ struct Cloth {
     Eigen::VectorXd mass;  // lumped, a third of each triangle to each corner [kg]
     Eigen::VectorXd area;  // the same of area [m^2]
     int first = 0;
+    bool self_contact = false;  // meets itself, and every other cloth that does
 
     int vertices() const { return mesh.vertices(); }
 };

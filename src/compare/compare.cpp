@@ -25,8 +25,7 @@ enum class Kind { other, picture, cache };
 
 Kind kind_of(const fs::path& file) {
     if (file.extension() == ".png") return Kind::picture;
-    if (file.extension() == ".pc2" || file.extension() == ".mdd") return Kind::cache;
-    return Kind::other;
+    return is_readable_cache(file.string()) ? Kind::cache : Kind::other;
 }
 
 // What holds for one file.
@@ -154,7 +153,8 @@ Comparison folders(const std::string& result, const std::string& reference, cons
     std::set<std::string> all = ours;
     all.insert(wanted.begin(), wanted.end());
     if (all.empty())
-        throw Error(cat(result, " and ", reference, ": nothing to compare (frame_*.png, *.pc2, *.mdd)"));
+        throw Error(
+            cat(result, " and ", reference, ": nothing to compare (frame_*.png, *.pc2, *.mdd, *.glb)"));
     for (const LimitFile::Special& special : limits.special)
         if (!all.contains(special.file))
             fail(special.place, unknown_name("file", special.file, {all.begin(), all.end()}));
@@ -185,7 +185,7 @@ Comparison compare(const std::string& result, const std::string& reference, cons
     if (fs::is_directory(result)) return folders(result, reference, limits, asked);
     for (const std::string& operand : {result, reference})
         if (kind_of(operand) == Kind::other)
-            throw Error(cat(operand, ": not a picture or a cache (.png, .pc2, .mdd)"));
+            throw Error(cat(operand, ": not a picture or a cache (.png, .pc2, .mdd, .glb)"));
     if (kind_of(result) != kind_of(reference))
         throw Error(cat(result, " and ", reference, ": a picture against a cache (two of a kind)"));
     const std::string name = fs::path(result).filename().string();

@@ -17,10 +17,10 @@ struct Asked {
     bool hausdorff = false;              // of caches
 };
 
-// `result` and `reference` are two pictures (.png), two caches (.pc2, .mdd), or two folders, of which frames
-// (frame_*.png) and caches are compared by name. What only the reference has is missing, what only the result
-// has is added. The compare.toml beside the references is read (limits.h). Throws Error for what is neither,
-// cannot be read, or for folders without anything to compare.
+// `result` and `reference` are two pictures (.png), two caches (.pc2, .mdd, .glb), or two folders, of which
+// frames (frame_*.png) and caches are compared by name. What only the reference has is missing, what only the
+// result has is added. The compare.toml beside the references is read (limits.h). Throws Error for what is
+// neither, cannot be read, or for folders without anything to compare.
 Comparison compare(const std::string& result, const std::string& reference, const Asked& asked);
 
 // The paths of a compared file on both sides, and the rectangles that are not looked at in it.

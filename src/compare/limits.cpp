@@ -96,8 +96,8 @@ LimitFile read_limits(const std::string& path) {
             fail(named->place, "file: expected tables such as [file.\"frame_0001.png\"], found ",
                  description_of(*named));
         for (const Value& one : named->items)
-            file.special.push_back(
-                {one.key, one.key_place, limits_in(Keys(one, cat("file.", quoted(one.key)), metric_keys()))});
+            file.special.push_back({one.key, one.key_place,
+                                    limits_in(Keys(one, cat("file.", in_quotes(one.key)), metric_keys()))});
     }
     return file;
 }

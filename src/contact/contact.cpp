@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/self_contact.h"
+
 namespace drape {
 
 namespace {
@@ -32,7 +34,7 @@ double most_length(const Columns& columns) {
 
 Contact::Contact(const Model& model, const std::vector<Obstacle>& obstacles, const Vec3& gravity,
                  const State& start, double duration)
-    : model_(model) {
+    : model_(model), self_(SelfContact::make(model, gravity, start)) {
     for (const Cloth& cloth : model.cloths) {
         for (const Obstacle& obstacle : obstacles) {
             pairs_.emplace_back(model, cloth, obstacle, gravity,
@@ -43,12 +45,17 @@ Contact::Contact(const Model& model, const std::vector<Obstacle>& obstacles, con
     }
 }
 
+Contact::~Contact() = default;
+
 void Contact::prepare(const State& state, double h) {
+    if (self_) self_->prepare(h);
+    if (pairs_.empty()) return;
     // twice what this step needs
     cover(state.x, state.time, 2 * h * (most_length(state.v) + obstacle_speed_));
 }
 
 void Contact::cover(In x, double time, double way) {
+    if (pairs_.empty()) return;
     if (way_ >= 0) {
         const double moved =
             most_length(x - gathered_at_) + obstacle_speed_ * std::abs(time - gathered_time_);
@@ -63,10 +70,11 @@ void Contact::cover(In x, double time, double way) {
 double Contact::clear_part(In x, In move, double time) const {
     double clear = 1;
     for (const ObstacleContact& pair : pairs_) clear = std::min(clear, pair.clear_part(x, move, time));
-    return clear;
+    return self_ ? std::min(clear, self_->clear_part(x, move)) : clear;
 }
 
 bool Contact::passed_through(const State& before, const State& after) {
+    if (self_ && self_->passed_through(before.x, after.x)) return true;
     if (obstacle_speed_ == 0) return false;
     const double moved = std::sqrt((after.x - before.x).colwise().squaredNorm().maxCoeff());
     cover(before.x, before.time, moved + obstacle_speed_ * (after.time - before.time));
@@ -76,39 +84,48 @@ bool Contact::passed_through(const State& before, const State& after) {
 }
 
 double Contact::energy(In x, double time) const {
-    double energy = 0;
+    double energy = self_ ? self_->energy(x) : 0;
     for (const ObstacleContact& pair : pairs_) energy += pair.energy(x, time);
     return energy;
 }
 
 void Contact::add_conservative(In x, double time, Out f) const {
     for (const ObstacleContact& pair : pairs_) pair.add_conservative(x, time, f);
+    if (self_) self_->add_conservative(x, f);
 }
 
 ObstacleContact::Result Contact::add_all(In x, In v, double time, Out f) {
     ObstacleContact::Result all;
-    for (ObstacleContact& pair : pairs_) {
-        const ObstacleContact::Result result = pair.add_all(x, v, time, f);
+    const auto include = [&](const ObstacleContact::Result& result) {
         all.dissipated += result.dissipated;
         all.driven += result.driven;
         all.limits.include(result.limits);
         all.least_distance = std::min(all.least_distance, result.least_distance);
         all.contacts += result.contacts;
         all.crossed = all.crossed || result.crossed;
-    }
+    };
+    for (ObstacleContact& pair : pairs_) include(pair.add_all(x, v, time, f));
+    if (self_) include(self_->add_all(x, v, f));
     return all;
 }
 
 void Contact::add_couplings(Couplings& couplings) const {
     for (const ObstacleContact& pair : pairs_) pair.add_couplings(couplings);
+    if (self_) self_->add_couplings(couplings);
+}
+
+long Contact::couplings_version(In x) const {
+    return self_ ? self_->couplings_version(x) : 0;
 }
 
 void Contact::add_stiffness(In x, In v, double time, BlockMatrix& k) const {
     for (const ObstacleContact& pair : pairs_) pair.add_stiffness(x, v, time, k);
+    if (self_) self_->add_stiffness(x, v, k);
 }
 
 void Contact::add_damping(In x, In v, double time, BlockMatrix& b) const {
     for (const ObstacleContact& pair : pairs_) pair.add_damping(x, v, time, b);
+    if (self_) self_->add_damping(x, v, b);
 }
 
 void Contact::add_majorant(In x, In v, double time, double c, Eigen::VectorXd& diagonal) const {
@@ -117,11 +134,12 @@ void Contact::add_majorant(In x, In v, double time, double c, Eigen::VectorXd& d
 
 ContactWork Contact::rub(Points& v, double h) const {
     ContactWork all;
-    for (const ObstacleContact& pair : pairs_) {
-        const ContactWork work = pair.rub(v, model_, h);
+    const auto include = [&](const ContactWork& work) {
         all.dissipated += work.dissipated;
         all.driven += work.driven;
-    }
+    };
+    for (const ObstacleContact& pair : pairs_) include(pair.rub(v, model_, h));
+    if (self_) include(self_->rub(v, h));
     return all;
 }
 
@@ -137,6 +155,7 @@ double Contact::lift_out(Points& x) const {
         largest = std::max(largest, pair.lift_out(x, model_, 2 * pair.barrier().thickness));
     // out of one may be into another, and pins do not move
     for (const ObstacleContact& pair : pairs_) pair.demand_outside(x);
+    if (self_) self_->demand_apart(x);
     return largest;
 }
 

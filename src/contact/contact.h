@@ -1,5 +1,6 @@
-// All contact of a scene: every cloth with every obstacle. Skips what cannot be reached: points join a pair's
-// list only when motion could bring them into contact before the next look.
+// All contact of a scene: every cloth with every obstacle, and cloth with cloth where asked. Skips what
+// cannot be reached: points join a pair's list only when motion could bring them into contact before the next
+// look.
 #pragma once
 
 #include <memory>
@@ -9,11 +10,14 @@
 
 namespace drape {
 
+class SelfContact;
+
 class Contact {
 public:
     // `start` and `duration` tell how fast cloth may meet each obstacle; the model must outlive this.
     Contact(const Model& model, const std::vector<Obstacle>& obstacles, const Vec3& gravity,
             const State& start, double duration);
+    ~Contact();
 
     // Before a step from `state` of at most h: makes sure that every point it can bring into contact is
     // listed.
@@ -41,15 +45,19 @@ public:
     double least_distance(In x, double time, bool held = true) const;  // as in ObstacleContact
 
     // Clears small overlaps of the start (see ObstacleContact::lift_out). Returns the largest move [m];
-    // throws Error where that leaves cloth in an obstacle.
+    // throws Error where that leaves cloth in an obstacle, or in cloth.
     double lift_out(Points& x) const;
 
     double thickness() const { return thickness_; }  // of the thickest barrier [m]
     const std::vector<ObstacleContact>& pairs() const { return pairs_; }
+    const SelfContact* self() const { return self_.get(); }  // null: no cloth meets cloth
+    // Changes where add_couplings would couple other vertices at x than before.
+    long couplings_version(In x) const;
 
 private:
     const Model& model_;
     std::vector<ObstacleContact> pairs_;
+    std::unique_ptr<SelfContact> self_;
     double obstacle_speed_ = 0;  // of any obstacle's surface near the cloth at most [m/s]
     double thickness_ = 0;       // largest of all barriers [m]
     Points gathered_at_;         // where the lists were made

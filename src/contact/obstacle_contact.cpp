@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "contact/stretch.h"
 
 namespace drape {
 
@@ -22,13 +23,6 @@ double mean_edge(const Cloth& cloth) {
     double sum = 0;
     for (const Spring& edge : cloth.network.edges) sum += edge.rest_length;
     return sum / static_cast<double>(cloth.network.edges.size());
-}
-
-// stretch stiffness per area, as the step bound sees it [N/m per m^2]
-double stretch_stiffness_per_area(const Cloth& cloth) {
-    double sum = 0;
-    for (const Spring& edge : cloth.network.edges) sum += 4 * edge.stiffness;
-    return sum / cloth.area.sum();
 }
 
 void push(const ContactPoint& point, const Vec3& force, double* f) {
@@ -187,10 +181,18 @@ ContactWork ObstacleContact::rub(Points& v, const Model& model, double h) const 
 
 void ObstacleContact::list_grips(std::vector<Grip>& grips) const {
     if (obstacle_.friction == 0) return;
-    for (const Touch& touch : touches_)
-        if (touch.normal_force > 0)
-            grips.push_back(
-                {touch.point, touch.normal, touch.surface_velocity, obstacle_.friction * touch.normal_force});
+    for (const Touch& touch : touches_) {
+        if (!(touch.normal_force > 0)) continue;
+        Grip grip{{},
+                  {},
+                  touch.point->corners,
+                  touch.normal,
+                  touch.surface_velocity,
+                  obstacle_.friction * touch.normal_force};
+        std::copy_n(touch.point->vertex, grip.corners, grip.vertex);
+        std::copy_n(touch.point->weight, grip.corners, grip.weight);
+        grips.push_back(grip);
+    }
 }
 
 // The gap changes by no more than the way, so each point may go as far as its gap, look again, and go on.

@@ -12,6 +12,7 @@
 
 #include "cloth/block_matrix.h"
 #include "contact/barrier.h"
+#include "contact/grip.h"
 #include "contact/sampling.h"
 #include "obstacle/obstacle.h"
 
@@ -21,13 +22,6 @@ namespace drape {
 struct ContactWork {
     double dissipated = 0;
     double driven = 0;
-};
-
-// A point that presses on an obstacle with friction.
-struct Grip {
-    const ContactPoint* point;
-    Vec3 normal, surface_velocity;
-    double most;  // mu times the normal force: what friction can hold [N]
 };
 
 // What contact asks of the next step.
@@ -71,7 +65,7 @@ public:
     // Changes velocities by the friction impulses of a time h under the last add_all's normal forces.
     ContactWork rub(Points& v, const Model& model, double h) const;
 
-    // Appends the points of the last add_all that friction holds; they are valid as long as this.
+    // Appends the points of the last add_all that friction holds.
     void list_grips(std::vector<Grip>& grips) const;
 
     // How much of `move` from x (at most 1) no listed point crosses on its way, each keeping a tenth of its

@@ -1,5 +1,9 @@
 #include "contact/smooth_friction.h"
 
+#include <cmath>
+
+#include "contact/self_contact.h"
+
 namespace drape {
 
 namespace {
@@ -23,10 +27,12 @@ double slope(double speed) {  // ds / d|u|
 void SmoothFriction::hold(const Contact& contact) {
     grips_.clear();
     for (const ObstacleContact& pair : contact.pairs()) pair.list_grips(grips_);
+    if (contact.self()) contact.self()->list_grips(grips_);
 }
 
 Vec3 SmoothFriction::sliding(const Grip& grip, In v) const {
-    const Vec3 relative = value_at(*grip.point, v.data()) - grip.surface_velocity;
+    Vec3 relative = -grip.surface_velocity;
+    for (int k = 0; k < grip.corners; ++k) relative += grip.weight[k] * v.col(grip.vertex[k]);
     return relative - relative.dot(grip.normal) * grip.normal;
 }
 
@@ -41,8 +47,7 @@ ContactWork SmoothFriction::add_force(In v, Out f) const {
     for (const Grip& grip : grips_) {
         const Vec3 u = sliding(grip, v);
         const Vec3 force = -grip.most * over_speed(u.norm()) * u;
-        for (int k = 0; k < grip.point->corners; ++k)
-            f.col(grip.point->vertex[k]) += grip.point->weight[k] * force;
+        for (int k = 0; k < grip.corners; ++k) f.col(grip.vertex[k]) += grip.weight[k] * force;
         power.dissipated -= force.dot(u);
         power.driven += force.dot(grip.surface_velocity);
     }
@@ -56,16 +61,18 @@ void SmoothFriction::add_damping(In v, BlockMatrix& b) const {
         const double speed = u.norm(), ratio = over_speed(speed);
         Mat3 rate = ratio * (Mat3::Identity() - grip.normal * grip.normal.transpose());
         if (speed > 0) rate += (slope(speed) - ratio) / (speed * speed) * u * u.transpose();
-        const auto corners = static_cast<size_t>(grip.point->corners);
-        b.add_point({grip.point->vertex, corners}, {grip.point->weight, corners}, grip.most * rate);
+        const auto corners = static_cast<size_t>(grip.corners);
+        b.add_point({grip.vertex, corners}, {grip.weight, corners}, grip.most * rate);
     }
 }
 
 void SmoothFriction::add_majorant(In v, double c, Eigen::VectorXd& diagonal) const {
     for (const Grip& grip : grips_) {
         const double bound = grip.most * over_speed(sliding(grip, v).norm()) / c;
-        for (int k = 0; k < grip.point->corners; ++k)
-            diagonal[grip.point->vertex[k]] += grip.point->weight[k] * bound;
+        double all = 0;  // w w' is at most diag(|w|) times this
+        for (int k = 0; k < grip.corners; ++k) all += std::abs(grip.weight[k]);
+        for (int k = 0; k < grip.corners; ++k)
+            diagonal[grip.vertex[k]] += all * std::abs(grip.weight[k]) * bound;
     }
 }
 

@@ -17,13 +17,14 @@ public:
         dynamics.hold_friction();
     }
     bool step(Dynamics& dynamics, State& state, double h) override {
+        from_ = state.x;
         if (!solver(dynamics).solve({state.x, state.v, h, state.time + h}, state)) return false;
-        dynamics.book(h);
+        dynamics.book_move(from_, state.x, state.v, state.time, h);
         return true;
     }
 
 private:
-    Points a_;
+    Points a_, from_;
 };
 
 }  // namespace

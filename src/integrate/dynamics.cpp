@@ -80,8 +80,8 @@ void Dynamics::conservative_acceleration(In x, double time, Points& a) {
 }
 
 template <class Wanted>
-void Dynamics::sum_moving(In x, In v, double time, Wanted wanted, Points& f) {
-    power_ = {};
+Power Dynamics::sum_moving(In x, In v, double time, Wanted wanted, Points& f) {
+    Power power;
     bool moving = false;  // whether velocities are padded: only damping asks for them
     sum_padded(x, wanted, f, [&](const PaddedForce& force) {
         if (force.is_conservative()) {
@@ -90,11 +90,12 @@ void Dynamics::sum_moving(In x, In v, double time, Wanted wanted, Points& f) {
         }
         if (!moving) pad(v, padded_v_);
         moving = true;
-        power_ += force.add_padded(padded_x_, padded_v_, padded_f_);
+        power += force.add_padded(padded_x_, padded_v_, padded_f_);
     });
     for (const ActiveForce& active : forces_) {
-        if (wanted(*active.force) && !active.force->padded()) power_ += active.force->add_all(x, v, time, f);
+        if (wanted(*active.force) && !active.force->padded()) power += active.force->add_all(x, v, time, f);
     }
+    return power;
 }
 
 void Dynamics::linearly_damped_acceleration(In x, In v, Points& a, ForceShare share) {
@@ -108,7 +109,7 @@ void Dynamics::linearly_damped_acceleration(In x, In v, Points& a, ForceShare sh
 void Dynamics::sum_all(In x, In v, double time, ForceShare share, Points& f) {
     ++sweeps_;
     const auto wanted = [&](const Force& force) { return is_in(share, force); };
-    sum_moving(x, v, time, wanted, f);
+    power_ = force_power_ = sum_moving(x, v, time, wanted, f);
     for (const ActiveForce& active : forces_) active.calls += wanted(*active.force);
     if (contact_) {
         const ThreadCpuScope timer(contact_seconds_);
@@ -163,6 +164,16 @@ void Dynamics::rub(State& state, double h) {
 void Dynamics::book(double seconds) {
     flow_.dissipated += power_.dissipated * seconds;
     flow_.driven += power_.driven * seconds;
+}
+
+void Dynamics::book_move(In from, In x, In v, double time, double seconds) {
+    book(seconds);
+    if (force_power_.dissipated == 0 && force_power_.driven == 0) return;
+    middle_ = 0.5 * (from + x);
+    const auto moving = [](const Force& force) { return !force.is_conservative(); };
+    const Power half_way = sum_moving(middle_, v, time - seconds / 2, moving, middle_f_);
+    flow_.dissipated += (half_way.dissipated - force_power_.dissipated) * seconds;
+    flow_.driven += (half_way.driven - force_power_.driven) * seconds;
 }
 
 double Dynamics::kinetic_energy(In v) const {

@@ -63,6 +63,11 @@ public:
     // books `seconds` of the present power as energy gone
     void book(double seconds);
 
+    // The same for a move from `from` to `x` with one velocity `v` [m/s] in the `seconds` up to `time`, after
+    // the acceleration at its end. What forces take is reckoned half way, where |to|^2 - |from|^2 = 2 middle
+    // . move: a spring that has merely turned takes nothing, while at the end the move is partly along it.
+    void book_move(In from, In x, In v, double time, double seconds);
+
     // true if no force depends on velocity, nothing moves by itself and there is no contact: energy is
     // conserved
     bool is_conservative() const { return losses_.empty(); }
@@ -78,6 +83,8 @@ public:
     // For implicit methods: which vertices any force couples; K += -df/dx and B += -df/dv of all forces and
     // contact, symmetric. Only contact's K depends on v.
     Couplings couplings() const;
+    // changes where contact at x couples others than before
+    long couplings_version(In x) const { return contact_ ? contact_->couplings_version(x) : 0; }
     void add_stiffness(In x, In v, double time, BlockMatrix& k) const;
     void add_damping(In x, In v, double time, BlockMatrix& b) const;
     // For those with a constant matrix: what bounds contact's and friction's K + B / c at this moment, per
@@ -87,6 +94,7 @@ public:
     const Model& model() const { return model_; }
     const std::vector<ActiveForce>& forces() const { return forces_; }
     Contact* contact() { return contact_.get(); }
+    const Contact* contact() const { return contact_.get(); }
     const ObstacleContact::Result& touch() const { return touch_; }      // of the last acceleration
     double damping_beyond_bound() const { return power_.beyond_bound; }  // the same, of forces [1/s]
     const EnergyFlow& flow() const { return flow_; }
@@ -101,7 +109,7 @@ private:
     void sum_padded(In x, Wanted wanted, Points& f, Add add);
     // f = the sum of the `wanted` forces, all that they do
     template <class Wanted>
-    void sum_moving(In x, In v, double time, Wanted wanted, Points& f);
+    Power sum_moving(In x, In v, double time, Wanted wanted, Points& f);
     void sum_conservative(In x, ForceShare share, Points& f);  // of forces but contact
     void sum_all(In x, In v, double time, ForceShare share, Points& f);
     void finish(In v, Points& f);  // books the pins' power, makes accelerations of forces
@@ -113,7 +121,8 @@ private:
     std::vector<std::string> losses_;
     std::vector<int> pinned_;
     PaddedPoints padded_x_, padded_v_, padded_f_;  // scratch
-    Power power_;
+    Points middle_, middle_f_;                     // scratch
+    Power force_power_, power_;                    // of forces alone; with contact and pins
     EnergyFlow flow_;
     ObstacleContact::Result touch_;
     SmoothFriction friction_;

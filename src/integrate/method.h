@@ -56,6 +56,7 @@ struct Method {
     std::unique_ptr<Integrator> (*make)();
     bool controls_step = false;     // cuts a step that it finds too long, so that none is unstable
     bool projects_springs = false;  // so that only the other forces bind its step
+    bool meets_itself = true;       // takes contact of cloth with cloth
 
     // Where force or its slope jumps (contact comes and goes, friction sticks and slips) no order above one
     // is left; elsewhere it is that of the forces.

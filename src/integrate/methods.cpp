@@ -94,7 +94,8 @@ constexpr std::array table{
         .sweeps = 1,
         .longest_step = xpbd_longest_step,
         .make = make_xpbd,
-        .projects_springs = true},
+        .projects_springs = true,
+        .meets_itself = false},
     Method{.name = "backward_euler_1",
            .summary = "linearised backward Euler (Baraff-Witkin): one solve a step; for comparison",
            .limit = "none for small motion; large steps may leave forces out of balance",
@@ -144,7 +145,8 @@ constexpr std::array table{
            .order_with_damping = 1,
            .sweeps = 2,
            .longest_step = unlimited_step,
-           .make = make_projective_dynamics},
+           .make = make_projective_dynamics,
+           .meets_itself = false},
 };
 
 }  // namespace

@@ -3,11 +3,18 @@
 namespace drape {
 
 StepMatrix::StepMatrix(const Dynamics& dynamics)
-    : matrix_(dynamics.model(), dynamics.couplings()), solution_(3, dynamics.model().vertices()) {
+    : version_(0),
+      matrix_(dynamics.model(), dynamics.couplings()),
+      solution_(3, dynamics.model().vertices()) {
     factor_.analyzePattern(matrix_.lower());
 }
 
 bool StepMatrix::factorise(const Dynamics& dynamics, In x, In v, double time, double c, Curvature curvature) {
+    if (const long version = dynamics.couplings_version(x); version != version_) {
+        version_ = version;
+        matrix_ = BlockMatrix(dynamics.model(), dynamics.couplings());
+        factor_.analyzePattern(matrix_.lower());
+    }
     const bool semidefinite = curvature == Curvature::semidefinite;
     matrix_.set_zero();
     matrix_.weigh(1, semidefinite);

@@ -1,5 +1,6 @@
 // The matrix of an implicit step, M / c^2 + B / c + K over the free vertices, and its Cholesky factor. Its
-// pattern is that of the cloth: analysed once, filled again for every solve.
+// pattern is that of the cloth, and of the pairs of it that may touch: analysed once and whenever those
+// change, filled again for every solve.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -26,6 +27,7 @@ public:
     long factorisations() const { return factorisations_; }
 
 private:
+    long version_;  // of the couplings
     BlockMatrix matrix_;
     // The vertices are numbered for a sparse factor already. CHOLMOD's simplicial factorisation of the same
     // matrices runs at 0.8 to 1.2 of this one's speed (README.md); its supernodal one goes through BLAS,

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "io/bytes.h"
 #include "io/endings.h"
+#include "io/glb_reader.h"
 #include "io/read_file.h"
 
 namespace drape {
@@ -75,12 +76,18 @@ Cache read_mdd(const std::string& path, std::string_view bytes) {
 
 std::string check_ending(const std::string& path) {
     const std::string ending = ending_of(path);
-    if (ending != ".pc2" && ending != ".mdd")
-        throw Error(cat(path, ": cannot read a cache that ends in \"", ending, "\" (known: .pc2, .mdd)"));
+    if (!is_readable_cache(path))
+        throw Error(
+            cat(path, ": cannot read a cache that ends in \"", ending, "\" (known: .pc2, .mdd, .glb)"));
     return ending;
 }
 
 }  // namespace
+
+bool is_readable_cache(const std::string& path) {
+    const std::string ending = ending_of(path);
+    return ending == ".pc2" || ending == ".mdd" || ending == ".glb";
+}
 
 Cache read_cache(const std::string& path) {
     check_ending(path);
@@ -88,7 +95,9 @@ Cache read_cache(const std::string& path) {
 }
 
 Cache read_cache_bytes(const std::string& path, std::string_view bytes) {
-    return check_ending(path) == ".pc2" ? read_pc2(path, bytes) : read_mdd(path, bytes);
+    const std::string ending = check_ending(path);
+    if (ending == ".glb") return read_glb(path, bytes);
+    return ending == ".pc2" ? read_pc2(path, bytes) : read_mdd(path, bytes);
 }
 
 }  // namespace drape

@@ -10,12 +10,16 @@
 namespace drape {
 
 struct Cache {
-    std::vector<Points> samples;  // each 3 x points, in the mesh file's vertex order [m]
-    std::vector<double> times;    // a number per sample: MDD [s], PC2 in frames (start + k rate)
+    std::vector<Points>
+        samples;  // each 3 x points, in the mesh file's vertex order [m]; of a glTF a point per UV
+    std::vector<double> times;  // a number per sample: MDD and glTF [s], PC2 in frames (start + k rate)
 };
 
-// The ending chooses: .pc2 or .mdd. Throws Error naming the file if it is missing, of another ending, or if
-// its header does not fit its size.
+// By its ending: .pc2, .mdd or .glb.
+bool is_readable_cache(const std::string& path);
+
+// The ending chooses; of a glTF only what drape writes is read. Throws Error naming the file if it is
+// missing, of another ending, or if its header does not fit its size.
 Cache read_cache(const std::string& path);
 
 // The same of a file's bytes that are at hand.

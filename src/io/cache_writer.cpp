@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "io/bytes.h"
 #include "io/endings.h"
+#include "io/glb_writer.h"
 #include "io/output_file.h"
 #include "io/write_mesh.h"
 
@@ -132,14 +133,16 @@ private:
     std::vector<std::unique_ptr<OutputFile>> files_;
 };
 
-std::unique_ptr<CacheWriter> make_pc2(const std::string& path, const Mesh& mesh, double, int samples) {
+std::unique_ptr<CacheWriter> make_pc2(const std::string& path, const Mesh& mesh, double, int samples,
+                                      const Colour&) {
     return std::make_unique<Pc2Writer>(path, mesh, samples);
 }
 std::unique_ptr<CacheWriter> make_mdd(const std::string& path, const Mesh& mesh, double frame_rate,
-                                      int samples) {
+                                      int samples, const Colour&) {
     return std::make_unique<MddWriter>(path, mesh, frame_rate, samples);
 }
-std::unique_ptr<CacheWriter> make_sequence(const std::string& path, const Mesh& mesh, double, int samples) {
+std::unique_ptr<CacheWriter> make_sequence(const std::string& path, const Mesh& mesh, double, int samples,
+                                           const Colour&) {
     return std::make_unique<MeshSequence>(path, mesh, samples);
 }
 
@@ -149,6 +152,7 @@ constexpr std::array kinds{
     CacheKind{".mdd", "motion designer data, one file, times in seconds", make_mdd},
     CacheKind{".obj", "a numbered OBJ per sample", make_sequence},
     CacheKind{".ply", "a numbered binary PLY per sample", make_sequence},
+    CacheKind{".glb", "glTF binary with mesh, UVs and a morph target per frame", make_glb_writer},
 };
 
 }  // namespace
@@ -158,12 +162,12 @@ std::span<const CacheKind> cache_kinds() {
 }
 
 std::unique_ptr<CacheWriter> make_cache_writer(const std::string& path, const Mesh& mesh, double frame_rate,
-                                               int samples) {
+                                               int samples, const Colour& colour) {
     DRAPE_ASSERT(samples > 0 && frame_rate > 0);
     const std::string ending = ending_of(path);
     std::string known;
     for (const CacheKind& kind : kinds) {
-        if (kind.ending == ending) return kind.make(path, mesh, frame_rate, samples);
+        if (kind.ending == ending) return kind.make(path, mesh, frame_rate, samples, colour);
         known += cat(known.empty() ? "" : ", ", kind.ending);
     }
     throw Error(cat(path, ": unknown cache ending \"", ending, "\" (known: ", known, ")"));

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/colour.h"
 #include "mesh/mesh.h"
 
 namespace drape {
@@ -23,16 +24,18 @@ public:
 struct CacheKind {
     std::string_view ending;  // ".pc2"
     std::string_view summary;
-    std::unique_ptr<CacheWriter> (*make)(const std::string& path, const Mesh&, double frame_rate,
-                                         int samples);
+    std::unique_ptr<CacheWriter> (*make)(const std::string& path, const Mesh&, double frame_rate, int samples,
+                                         const Colour&);
 };
 
 std::span<const CacheKind> cache_kinds();
 
+inline constexpr Colour undyed{0.8F, 0.8F, 0.8F};
+
 // The file's ending chooses: .pc2 (one file, start 0, rate 1), .mdd (one file, times in seconds),
-// .obj and .ply (a numbered file per sample, NAME_0000.obj ...). One writer per cloth. Throws Error for
-// another ending or an unwritable place.
+// .obj and .ply (a numbered file per sample, NAME_0000.obj ...), .glb (one file with mesh, UVs and `colour`).
+// One writer per cloth. Throws Error for another ending or an unwritable place.
 std::unique_ptr<CacheWriter> make_cache_writer(const std::string& path, const Mesh& mesh, double frame_rate,
-                                               int samples);
+                                               int samples, const Colour& colour = undyed);
 
 }  // namespace drape

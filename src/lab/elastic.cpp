@@ -31,10 +31,26 @@ Points forces_of(const std::vector<std::unique_ptr<Force>>& forces, In x) {
     return sum;
 }
 
+BlockMatrix stiffness_of(const Model& model, In x) {
+    const auto forces = elastic_forces(model.cloths.front());
+    Couplings couplings;
+    for (const auto& force : forces) force->add_couplings(couplings);
+    BlockMatrix matrix(model, couplings);
+    for (const auto& force : forces) force->add_stiffness(x, matrix);
+    return matrix;
+}
+
 Model free_cloth(Mesh mesh, const Fabric& fabric) {
     Model model;
     add_cloth(model, make_cloth(std::move(mesh), fabric));
     return model;
+}
+
+void hold_at_rest(Model& model, const std::vector<int>& vertices) {
+    PinGroup pins;
+    pins.vertices = vertices;
+    pins.anchors = model.cloths.front().mesh.rest(Eigen::all, vertices);
+    add_pins(model, std::move(pins));
 }
 
 }  // namespace drape

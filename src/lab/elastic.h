@@ -25,7 +25,13 @@ std::vector<std::unique_ptr<Force>> elastic_forces(const Cloth& cloth);
 double energy_of(const std::vector<std::unique_ptr<Force>>& forces, In x);
 Points forces_of(const std::vector<std::unique_ptr<Force>>& forces, In x);
 
+// The stiffness matrix of a model's only cloth at a pose, of its free vertices.
+BlockMatrix stiffness_of(const Model& model, In x);
+
 // A cloth of this fabric that nothing holds.
 Model free_cloth(Mesh mesh, const Fabric& fabric);
+
+// Holds vertices of a model's first cloth where they rest.
+void hold_at_rest(Model& model, const std::vector<int>& vertices);
 
 }  // namespace drape

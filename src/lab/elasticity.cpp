@@ -95,24 +95,6 @@ Eigen::Vector3d strain_in(const Middle& middle, const Mesh& mesh, const Points& 
     return sum / middle.area;
 }
 
-BlockMatrix stiffness_of(const Model& model) {
-    const auto forces = elastic_forces(model.cloths.front());
-    Couplings couplings;
-    for (const auto& force : forces) force->add_couplings(couplings);
-    BlockMatrix matrix(model, couplings);
-    for (const auto& force : forces) force->add_stiffness(model.cloths.front().mesh.rest, matrix);
-    return matrix;
-}
-
-PinGroup pins_at(const Cloth& cloth, const std::vector<int>& vertices) {
-    PinGroup pins;
-    pins.vertices = vertices;
-    pins.anchors.resize(3, static_cast<Eigen::Index>(vertices.size()));
-    for (size_t i = 0; i < vertices.size(); ++i)
-        pins.anchors.col(static_cast<Eigen::Index>(i)) = cloth.mesh.rest.col(vertices[i]);
-    return pins;
-}
-
 }  // namespace
 
 double Elasticity::stretch_modulus(double angle) const {
@@ -148,9 +130,9 @@ Eigen::Vector3d strain_of(const Mesh& mesh, int triangle, const Points& move) {
 // With the move u of all vertices the free ones shift by w besides: K_ff w = -(K u)_f.
 std::vector<Points> settle(const Model& free, const std::vector<int>& held, std::vector<Points> moves) {
     Model pinned = free;
-    add_pins(pinned, pins_at(pinned.cloths.front(), held));
-    const BlockMatrix whole = stiffness_of(free);
-    BlockMatrix inner = stiffness_of(pinned);
+    hold_at_rest(pinned, held);
+    const BlockMatrix whole = stiffness_of(free, free.cloths.front().mesh.rest);
+    BlockMatrix inner = stiffness_of(pinned, pinned.cloths.front().mesh.rest);
     inner.add_masses(softness * whole.lower().diagonal().maxCoeff() / free.mass.maxCoeff());
     // the vertices are numbered for a sparse factor already
     const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(
@@ -175,7 +157,7 @@ Elasticity measure_elasticity(const Mesh& sheet, const Fabric& fabric) {
         settle(free, border, {strained(sheet.rest, 0), strained(sheet.rest, 1), strained(sheet.rest, 2)});
     const Middle middle(free.cloths.front());
     leave_middle(free.cloths.front(), middle);
-    const BlockMatrix counted = stiffness_of(free);
+    const BlockMatrix counted = stiffness_of(free, free.cloths.front().mesh.rest);
     // moves i and j store e_i' C e_j, e_i being the middle's strain under move i
     Mat3 stored, strain;
     for (Eigen::Index j = 0; j < 3; ++j) {

@@ -42,6 +42,7 @@ struct Experiment {
     std::string_view name;
     std::string_view summary;  // what it shows
     LabResult (*run)();        // the same result each time
+    bool quick = true;         // a second or two
 };
 
 // In the order of the story.

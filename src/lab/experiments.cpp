@@ -17,6 +17,11 @@ constexpr std::array table{
                run_erratum},
     Experiment{"jumps", "where `shortest` changes its altitude its force jumps; that of `blend` does not",
                run_jumps},
+    Experiment{"fabric", "fabric presets as a textile laboratory measures them: bending, stretch, drape",
+               run_fabric, false},
+    Experiment{"validation",
+               "cantilever, curtain, strip and slope against closed forms: what passes, what fails",
+               run_validation, false},
 };
 
 }  // namespace

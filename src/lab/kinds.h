@@ -10,5 +10,7 @@ LabResult run_density();
 LabResult run_compression();
 LabResult run_erratum();
 LabResult run_jumps();
+LabResult run_fabric();
+LabResult run_validation();
 
 }  // namespace drape

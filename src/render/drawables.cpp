@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/assert.h"
-#include "render/normals.h"
+#include "mesh/normals.h"
 #include "render/weave_coordinates.h"
 
 namespace drape {

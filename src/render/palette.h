@@ -1,11 +1,11 @@
-// Colours for the cloths of a scene, in order.
+// How the cloths of a scene look, in order.
 #pragma once
 
 #include "render/picture.h"
 
 namespace drape {
 
-// Cloth 0 is red with a cream lining, then blue, mustard, sage, plum, teal; round again after that.
+// In the colours of picture/palette.h.
 ClothLook palette(int cloth);
 
 }  // namespace drape

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "base/assert.h"
+#include "mesh/normals.h"
 #include "mesh/topology.h"
-#include "render/normals.h"
 
 namespace drape {
 

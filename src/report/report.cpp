@@ -23,6 +23,10 @@ Json known(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+Json counted(int count) {
+    return count < 0 ? Json(nullptr) : Json(count);
+}
+
 Json plan_json(const Plan& plan) {
     Json used = Json::array(), left_out = Json::array();
     for (const Stage& stage : plan.stages) {
@@ -46,6 +50,7 @@ Json frame_json(const FrameReport& frame, const std::string& picture) {
             {"retries", frame.retries},
             {"shortest_step_s", frame.shortest_step},
             {"contacts", frame.contacts},
+            {"crossings", counted(frame.crossings)},
             {"least_distance_m", known(frame.least_distance)},
             {"largest_strain", frame.strain},
             {"fastest_m_per_s", frame.fastest}};
@@ -95,6 +100,12 @@ int RunReport::contacts_max() const {
     return most;
 }
 
+int RunReport::crossings_max() const {
+    int most = -1;
+    for (const FrameReport& frame : frames) most = std::max(most, frame.crossings);
+    return most;
+}
+
 bool RunReport::budget_kept() const {
     constexpr double over = 1.1;
     return !budget || spent() <= over * *budget;
@@ -120,6 +131,7 @@ std::string report_json(const RunReport& r) {
     json["machine"] = {{"processor", processor_name()},
                        {"cores", std::thread::hardware_concurrency()},
                        {"renderer", r.renderer.empty() ? Json(nullptr) : Json(r.renderer)}};
+    json["vertices"] = r.vertices;
     json["method"] = {{"name", r.method->name},
                       {"step_s", r.step},
                       {"steps", r.steps()},
@@ -146,7 +158,8 @@ std::string report_json(const RunReport& r) {
     json["contact"] = {{"deepest_penetration_m", r.deepest_penetration()},
                        {"least_distance_m", known(r.least_distance())},
                        {"contacts_max", r.contacts_max()},
-                       {"crossings", nullptr}};
+                       {"crossings", counted(r.crossings_max())},
+                       {"crossings_last", counted(r.frames.empty() ? -1 : r.frames.back().crossings)}};
     json["plan"] = plan_json(r.plan);
     json["notes"] = r.notes;
     json["frames"] = Json::array();

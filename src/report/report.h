@@ -20,6 +20,7 @@ struct StageTimes {
 
 struct RunReport {
     std::string scene, version, renderer;
+    int vertices = 0;  // simulated, of all cloths
     const Method* method = nullptr;
     std::string chosen_because;
     double step = 0, longest_step = 0, guaranteed_step = 0;  // [s]
@@ -38,6 +39,7 @@ struct RunReport {
     long steps() const;
     double deepest_penetration() const;  // how far any point ever was inside an obstacle [m]; 0 if never
     int contacts_max() const;
+    int crossings_max() const;      // -1: not counted
     double least_distance() const;  // of any frame; infinite without obstacles [m]
     double spent() const { return spent_before + times.wall; }  // wall, since the run began [s]
     bool budget_kept() const;                                   // to 10 %; true if there was none

@@ -86,6 +86,10 @@ std::string report_summary(const RunReport& r) {
                 r.least_distance() < 0 ? cat("up to ", millimetres(-r.least_distance()), " inside")
                                        : cat("never nearer than ", millimetres(r.least_distance()), " to"),
                 " an obstacle\n");
+    if (const int most = r.crossings_max(); most >= 0)
+        text += most == 0 ? std::string("  cloth crosses itself in no frame\n")
+                          : cat("  cloth crosses itself: up to ", most, " pairs of triangles, ",
+                                r.frames.back().crossings, " at the end\n");
     if (!r.frames.empty())
         text += cat("  largest strain at the end ", number("%.2f", 100 * r.frames.back().strain), " %\n");
     return text + error_summary(r.error) + error_curve(r.frames);

@@ -96,6 +96,7 @@ Built build_scene(const SceneDescription& scene) {
             start = start_positions(scene, description, mesh, built.notes);
         }
         add_cloth(setup.model, make_cloth(std::move(mesh), description.fabric));
+        setup.model.cloths.back().self_contact = description.self_contact;
         append(setup.start, start, description.start.velocity);
         const Cloth& cloth = setup.model.cloths.back();
         for (const PinDescription& pin : description.pins)

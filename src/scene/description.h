@@ -58,6 +58,7 @@ struct ClothDescription {
     std::string fabric_name;  // the preset the fabric is, or starts from; "" = from nothing
     Fabric fabric;
     std::vector<PinDescription> pins;
+    bool self_contact = false;
     ClothColours colours;
     Place place, mesh_place, fabric_place, start_mesh_place;
 };

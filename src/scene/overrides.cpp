@@ -49,7 +49,7 @@ Value parse_value(const std::string& text, const Place& place) {
             if (std::string_view("[{\"'").find(text[0]) == std::string_view::npos) return as_plain_text();
         }
     }
-    fail(place, quoted(text), " is not a TOML value");
+    fail(place, in_quotes(text), " is not a TOML value");
 }
 
 // the item of `parent` that `part` names: an element that is there, or a key, made if it is missing
@@ -58,12 +58,12 @@ Value& item_of(Value& parent, const std::string& part, const Place& place) {
         size_t index = 0;
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
         if (error != std::errc() || end != part.data() + part.size() || index >= parent.items.size())
-            fail(place, "no element ", quoted(part), " in an array of ", parent.items.size(),
+            fail(place, "no element ", in_quotes(part), " in an array of ", parent.items.size(),
                  " (they count from 0)");
         return parent.items[index];
     }
     if (parent.kind != Value::Kind::table)
-        fail(place, "no key ", quoted(part), " in ", description_of(parent), ", which is not a table");
+        fail(place, "no key ", in_quotes(part), " in ", description_of(parent), ", which is not a table");
     if (Value* item = parent.find(part)) return *item;
     Value& made = parent.items.emplace_back();
     made.key = part;
@@ -74,7 +74,7 @@ Value& item_of(Value& parent, const std::string& part, const Place& place) {
 }  // namespace
 
 void apply_override(Value& scene, const std::string& assignment) {
-    const std::string shown = quoted(assignment);
+    const std::string shown = in_quotes(assignment);
     const Place place{"--set " + shown.substr(1, shown.size() - 2)};
     const size_t equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0) fail(place, "expected KEY=VALUE");

@@ -106,9 +106,7 @@ ClothDescription read_cloth(const Value& value) {
     }
     if (const Value* pins = keys.find("pins"))
         for (const Value& pin : as_array(*pins, "pins")) cloth.pins.push_back(read_pin(pin));
-    if (const Value* self_contact = keys.find("self_contact");
-        self_contact && as_boolean(*self_contact, "self_contact"))
-        fail(self_contact->place, "self_contact: this version of drape cannot do it yet (false)");
+    keys.read("self_contact", cloth.self_contact);
 
     if (const Value* colour = keys.find("colour")) read_colours(*colour, cloth.colours);
     keys.read("stripes", cloth.colours.stripes);

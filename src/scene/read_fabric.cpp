@@ -87,9 +87,9 @@ Fabric read_fabric(const Value& value, std::string& preset) {
         preset = value.text;
         return as_kind(value, "fabric", fabric_presets()).fabric;
     }
-    const Keys keys(
-        value, "fabric",
-        {"preset", "density", "thickness", "stretch", "altitude", "membrane", "bending", "damping"});
+    const Keys keys(value, "fabric",
+                    {"preset", "density", "thickness", "stretch", "altitude", "membrane", "bending",
+                     "damping", "friction"});
     Fabric fabric;
     if (const Value* name = keys.find("preset")) {
         fabric = as_kind(*name, "fabric", fabric_presets()).fabric;
@@ -102,6 +102,7 @@ Fabric read_fabric(const Value& value, std::string& preset) {
     if (const Value* membrane = keys.find("membrane")) read_membrane(*membrane, fabric);
     if (const Value* bending = keys.find("bending")) read_bending(*bending, fabric);
     keys.read("damping", fabric.damping, not_negative());
+    keys.read("friction", fabric.friction, not_negative());
     return fabric;
 }
 

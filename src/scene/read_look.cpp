@@ -28,7 +28,7 @@ Colour read_colour(const Value& value, std::string_view name) {
     const auto [end, error] =
         std::from_chars(text.data() + !text.empty(), text.data() + text.size(), rgb, 16);
     if (text.size() != 7 || text[0] != '#' || error != std::errc() || end != text.data() + text.size())
-        fail(value.place, name, ": expected a colour such as \"#b82121\", found the text ", quoted(text));
+        fail(value.place, name, ": expected a colour such as \"#b82121\", found the text ", in_quotes(text));
     const auto part = [&](int shift) { return static_cast<float>(rgb >> shift & 0xff) / 255.0f; };
     return {part(16), part(8), part(0)};
 }
@@ -44,7 +44,7 @@ LookDescription read_look(const Value& value) {
     if (const Value* overlay = keys.find("overlay")) {
         const std::string& word = as_text(*overlay, "overlay");
         if (word == "contacts")
-            fail(overlay->place, "overlay ", quoted(word),
+            fail(overlay->place, "overlay ", in_quotes(word),
                  ": this version of drape cannot draw it yet (none, wire, strain, springs, error)");
         look.overlay = as_word(*overlay, "overlay", {"none", "wire", "strain", "springs", "error"});
     }

@@ -85,7 +85,7 @@ std::string toml(const Fabric& fabric, const std::string& preset) {
                 ", poisson = ", toml(fabric.membrane_poisson), " }");
     text += cat(", bending = { kind = ", toml(word_for(bending_words, fabric.bending_kind)),
                 ", value = ", toml(fabric.bending), ", poisson = ", toml(fabric.poisson), " }");
-    return text + cat(", damping = ", toml(fabric.damping), " }");
+    return text + cat(", damping = ", toml(fabric.damping), ", friction = ", toml(fabric.friction), " }");
 }
 
 // colours the scene leaves to the picture's palette stay out
@@ -116,7 +116,7 @@ std::string cloth_text(const ClothDescription& cloth) {
     if (!cloth.start.mesh.empty()) text += cat(", mesh = ", toml(cloth.start.mesh));
     text += cat(" }\nfabric = ", toml(cloth.fabric, cloth.fabric_name), "\npins = [");
     for (const PinDescription& pin : cloth.pins) text += cat("\n    ", toml(pin), ",");
-    text += cat(cloth.pins.empty() ? "]" : "\n]", "\nself_contact = false\n");
+    text += cat(cloth.pins.empty() ? "]" : "\n]", "\nself_contact = ", toml(cloth.self_contact), "\n");
     return text + colours_text(cloth.colours);
 }
 

@@ -65,8 +65,8 @@ std::string ControlledDelivery::save() const {
     put_pass(out, before_);
     put_pass(out, now_);
     for (const std::vector<double>* list : {&floor_, &row_steps_, &row_distance_}) put_list(out, *list);
-    for (const double value : {share_, others_refine_, account_.rms, account_.max, account_.floor,
-                               account_.floor_from, account_.seconds})
+    for (const double value :
+         {share_, account_.rms, account_.max, account_.floor, account_.floor_from, account_.seconds})
         out.put(value);
     for (const int value : {row_, idle_, failed_, delivered_}) out.put(value);
     out.put(before_record_);
@@ -91,8 +91,8 @@ bool ControlledDelivery::restore(std::string_view bytes) {
     Pass before = take_pass(in), now = take_pass(in);
     std::vector<double> floor = take_list(in);
     for (std::vector<double>* list : {&row_steps_, &row_distance_}) *list = take_list(in);
-    for (double* value : {&share_, &others_refine_, &account_.rms, &account_.max, &account_.floor,
-                          &account_.floor_from, &account_.seconds})
+    for (double* value :
+         {&share_, &account_.rms, &account_.max, &account_.floor, &account_.floor_from, &account_.seconds})
         *value = in.take<double>();
     for (int* value : {&row_, &idle_, &failed_, &delivered_}) *value = in.take<int>();
     before_record_ = in.take<size_t>();

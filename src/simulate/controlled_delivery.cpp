@@ -11,12 +11,14 @@ namespace drape {
 
 namespace {
 
-constexpr double least_refinement = 1.3, most_refinement = 8, most_in_contact = 2.5;
+constexpr double least_refinement = 1.3, most_refinement = 8, most_in_contact = 4;
 constexpr double aim = 0.6;    // of the tolerance, when the next pass's steps are chosen
 constexpr double idle = 0.75;  // a pass whose error is more than this of the last one's was idle
 constexpr int most_idle = 2, most_failed = 3, most_passes = 12;
 constexpr double least_order = 0.5;
-constexpr double beyond_floor = 2;  // times the steps that met the predictable frames are spent on the others
+// Of the order that a method has where nothing jumps, at least, when the next pass is planned: errors of
+// passes so coarse that they are as large as they can be tell a lower one.
+constexpr double planned_order = 0.5;
 
 }  // namespace
 
@@ -44,7 +46,6 @@ void ControlledDelivery::start_row(int row) {
     distance_.clear();
     before_ = {};
     idle_ = failed_ = 0;
-    others_refine_ = 0;
     account_.floor = account_.floor_from = NAN;
     start_pass(1);
     start_twin();
@@ -169,20 +170,20 @@ void ControlledDelivery::judge() {
     account_.passes.back().error_rms = worst;
     if (n >= way().least_passes && worst <= tolerance_) return accept(true);
 
-    // frames below the floor do not drive the others' refinement
-    const double others = share_ * worst_distance(true);
-    const bool others_met = n >= way().least_passes && others <= tolerance_;
-    if (others_met && !(others_refine_ > 0)) others_refine_ = now_.refine;
+    // no refinement makes frames below the floor predictable
+    const double predictable = std::min(worst, share_ * worst_distance(true));
+    if (n >= way().least_passes && predictable <= tolerance_ && !std::isnan(account_.floor_from))
+        return accept(true);
     idle_ = worst > idle * last_error && n >= 3 ? idle_ + 1 : 0;
-    bool stuck = idle_ >= (others_met ? 1 : most_idle) || account_.passes.size() >= most_passes;
+    const bool stuck = idle_ >= most_idle || account_.passes.size() >= most_passes;
     // a rough way's order sets in late: how far it has to go is told by the one it will have
     const bool rough = row_ < usual_row_;
-    const double expected = n >= 3 && !rough ? order : most_order;
-    const double driving = others > tolerance_ ? std::min(worst, others) : worst;
+    if (stuck && !rough) return accept(false);
+    double expected = n >= 3 && !rough ? order : most_order;
+    if (!now_.jumps) expected = std::max(expected, planned_order * most_order);
+    const double driving =
+        (predictable > 0 ? predictable : worst) * (error_share(now_.steps, before_.steps, expected) / share_);
     const double needed = now_.refine * std::pow(driving / (aim * tolerance_), 1 / expected);
-    // frames below the floor are refined as long as that helps and costs no more than they are worth
-    stuck = stuck || (others_met && needed > beyond_floor * others_refine_);
-    if (stuck && (others_met || !rough)) return accept(others_met);
     const int row = stuck ? usual_row_ : better_row(needed);
     if (row != row_) return start_row(row);
     const double most = now_.jumps ? most_in_contact : most_refinement;

@@ -8,7 +8,7 @@
 //
 // A twin of a row's first pass, its start moved by 1e-12 m, shows the predictability floor: how far two runs
 // end apart that no measurement could tell apart at the start. Frames whose floor lies above the tolerance
-// are refined as long as that helps, with at most twice the steps that met the others.
+// are delivered as the others came out.
 #pragma once
 
 #include "simulate/delivery.h"
@@ -69,8 +69,7 @@ private:
     std::vector<ErrorNorms> distance_;  // of now_ from before_, per frame
     // of the row's passes, newest last
     std::vector<double> row_steps_, row_distance_;
-    double share_ = NAN;        // of the distance that is now_'s error
-    double others_refine_ = 0;  // that met every frame above the floor; 0: none yet
+    double share_ = NAN;  // of the distance that is now_'s error
     int idle_ = 0, failed_ = 0;
     bool accepted_ = false;
     int delivered_ = 0;

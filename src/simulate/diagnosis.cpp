@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -46,6 +47,12 @@ std::string strongest_force(const Dynamics& dynamics, const State& state, int ve
     return strongest;
 }
 
+std::string_view met_by_cloth(const Dynamics& dynamics) {
+    const Contact* contact = dynamics.contact();
+    if (!contact || !contact->self()) return "an obstacle";
+    return contact->pairs().empty() ? "cloth" : "an obstacle or cloth";
+}
+
 double median_mass(const Model& model) {
     std::vector<double> mass(model.mass.data(), model.mass.data() + model.mass.size());
     const auto middle = mass.begin() + static_cast<std::ptrdiff_t>(mass.size() / 2);
@@ -77,7 +84,8 @@ std::string likely_cause(const Dynamics& dynamics, int vertex, const StepTaken& 
         return cat("a sliver at that vertex, ", aspect, " times as long as high");
     if (const double share = model.mass[vertex] / median_mass(model); share < light_vertex)
         return cat("a vertex of ", model.mass[vertex], " kg, ", share, " of the usual mass");
-    if (dynamics.touch().contacts > 0) return "contact with an obstacle, stiffer than the step allows for";
+    if (dynamics.touch().contacts > 0)
+        return cat("contact with ", met_by_cloth(dynamics), ", stiffer than the step allows for");
     return cat("forces that change within a step of ", taken.step, " s");
 }
 
@@ -102,13 +110,13 @@ std::string why_no_end(const Dynamics& dynamics, const State& state, long steps,
     return cat(steps, " steps, the last of ", step, " s, have come no farther than t = ", state.time,
                " s; likely cause: ",
                dynamics.touch().contacts > 0
-                   ? std::string("contact with an obstacle, far stiffer or faster than the cloth")
+                   ? cat("contact with ", met_by_cloth(dynamics), ", far stiffer or faster than the cloth")
                    : cat(strongest_force(dynamics, state, vertex), " at vertex ", vertex));
 }
 
 std::string why_no_step(const Dynamics& dynamics, double time) {
     if (dynamics.touch().crossed || dynamics.touch().contacts > 0)
-        return cat("cloth was pushed into an obstacle at t = ", time,
+        return cat("cloth was pushed into ", met_by_cloth(dynamics), " at t = ", time,
                    " s and no step, however short, keeps it out");
     return cat("no step from t = ", time, " s, however short, could be solved for");
 }

@@ -13,6 +13,7 @@ void each_number(Report& report, Visit visit) {
     visit(report.retries);
     visit(report.shortest_step);
     visit(report.contacts);
+    visit(report.crossings);
     visit(report.least_distance);
     visit(report.strain);
     visit(report.fastest);

@@ -40,6 +40,8 @@ void Simulation::take_method(std::string_view method, std::string because) {
     if (method_->conservative_only() && !dynamics_->is_conservative())
         throw Error(cat("method ", method, " is for scenes that conserve energy; this one has ",
                         joined(dynamics_->losses()), " (verlet, rk4 and embedded_rk take any)"));
+    if (const Contact* contact = dynamics_->contact(); contact && contact->self() && !method_->meets_itself)
+        throw Error(cat("method ", method, " cannot do self_contact = true (verlet and backward_euler can)"));
     integrator_ = method_->make();
     // where springs project, nobody counts what moving pins pull at them
     const bool drive = !method_->projects_springs || !has_moving_pins(setup_.model);
@@ -80,8 +82,16 @@ void Simulation::build() {
             rubs_ = rubs_ || obstacle.friction > 0;
         }
     }
+    for (const Cloth& cloth : model.cloths)
+        rubs_ = rubs_ || (cloth.self_contact && cloth.fabric.friction > 0);
+    const bool meets_itself = std::any_of(model.cloths.begin(), model.cloths.end(),
+                                          [](const Cloth& cloth) { return cloth.self_contact; });
+    if (meets_itself)
+        plan_.use("contact of cloth with cloth", "self_contact = true");
+    else
+        plan_.leave_out("contact of cloth with cloth", "self_contact = false");
     std::unique_ptr<Contact> contact;
-    if (!within_reach.empty()) {
+    if (!within_reach.empty() || meets_itself) {
         contact = std::make_unique<Contact>(model, within_reach, setup_.world.gravity, state_, duration);
         lifted_ = contact->lift_out(state_.x);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,8 @@ struct Setup {
     // Multiplies the steps of a frame, contact's shorter ones too: passes that differ in nothing else tell
     // the error. At least one more or one less than 1 gives, as far as stability allows.
     double refine = 1;
+    // Asked after every step; true ends the frame in hand with Error (Exit::interrupted).
+    std::function<bool()> stop = {};
 };
 
 // What a frame brought.
@@ -43,6 +46,7 @@ struct FrameReport {
     long planned_steps = 0;    // without those that contact asked for
     double shortest_step = 0;  // [s]
     int contacts = 0;          // most at once
+    int crossings = -1;        // pairs of triangles of cloths that meet cloth; -1: none does, not counted
     // from any obstacle, over the steps in contact and at the frame's end; infinite without obstacles [m]
     double least_distance = 0;
     double strain = 0;   // largest |l/l0 - 1|

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/timer.h"
+#include "contact/self_contact.h"
 #include "simulate/diagnosis.h"
 #include "simulate/simulation.h"
 #include "simulate/strain.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr int most_halvings = 30;  // of a step that crossed into an obstacle or was not solved
 constexpr int most_retries = 10;   // of a frame, each with half the step
 // of a frame, over those planned as many times and besides: so short steps would go on for ever
-constexpr long most_times_planned = 256, most_implicit_steps = 1000, most_explicit_steps = 1'000'000;
+constexpr long most_times_planned = 64, most_implicit_steps = 1000, most_explicit_steps = 200'000;
 constexpr double instant = 1e-12;  // of the time so far: less is no step to make
 
 }  // namespace
@@ -88,6 +89,8 @@ FrameReport Simulation::next_frame() {
         dynamics_->reset_flow(good_flow);
         return report;
     }
+    if (const Contact* contact = dynamics_->contact(); contact && contact->self())
+        report.crossings = contact->self()->crossings(state_.x).pairs;
     ++frame_;
     report.time = state_.time;
     report.strain = largest_strain(setup_.model, state_.x);
@@ -123,6 +126,8 @@ FrameReport Simulation::try_frame() {
             report.trouble = why_no_step(*dynamics_, state_.time);
             return report;
         }
+        if (setup_.stop && setup_.stop())
+            throw Error(cat("stopped within frame ", report.index), Exit::interrupted);
         if (report.steps > most_steps) {
             report.trouble = why_no_end(*dynamics_, state_, report.steps, h);
             return report;

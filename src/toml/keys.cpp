@@ -47,8 +47,8 @@ double parse_with_unit(const Value& value, std::string_view name, const Quantity
         std::string units;
         for (const Suffix& known : suffixes)
             if (known.unit == quantity.unit) units += cat(units.empty() ? "" : ", ", known.name);
-        fail(value.place, name, ": expected ", expected_number(quantity), ", found the text ", quoted(text),
-             " (units: ", units, ")");
+        fail(value.place, name, ": expected ", expected_number(quantity), ", found the text ",
+             in_quotes(text), " (units: ", units, ")");
     }
     // 20 ms is 20 / 1000 s: dividing by a whole number rounds once, and to what 0.02 reads as
     return suffix->scale < 1 ? number / std::round(1 / suffix->scale) : number * suffix->scale;
@@ -65,7 +65,7 @@ std::string allowed(const Quantity& quantity) {
 
 // a word of the user's, cut and clean, to be put into quotes
 std::string shown(std::string_view word) {
-    const std::string text = quoted(word);
+    const std::string text = in_quotes(word);
     return text.substr(1, text.size() - 2);
 }
 

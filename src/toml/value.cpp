@@ -26,7 +26,7 @@ std::string description_of(const Value& value) {
         case Value::Kind::real:
             return cat("the number ", value.real);
         case Value::Kind::text:
-            return cat("the text ", quoted(value.text));
+            return cat("the text ", in_quotes(value.text));
         case Value::Kind::date:
             return "a date or time";
         case Value::Kind::array:
@@ -37,7 +37,7 @@ std::string description_of(const Value& value) {
     return "";
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr size_t longest = 60;
     std::string result = "\"";
     for (const char c : text.substr(0, longest)) {

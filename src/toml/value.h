@@ -36,6 +36,6 @@ Value parse_toml(std::string_view text, const std::string& source);
 std::string description_of(const Value& value);
 
 // In double quotes, cut if long, control characters escaped: safe in a message of one line.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace drape

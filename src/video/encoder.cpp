@@ -1,5 +1,7 @@
 #include "video/encoder.h"
 
+#include <filesystem>
+
 #include "base/assert.h"
 #include "base/error.h"
 #include "picture/panes.h"
@@ -14,14 +16,18 @@ int even(int length) {
 
 }  // namespace
 
-Encoder::Encoder(const std::string& path, const Canvas& canvas)
-    : path_(path), format_(format_of(path)), canvas_(canvas), file_(path) {
+Encoder::Encoder(const std::string& path, const Canvas& canvas, int quality)
+    : path_(path),
+      format_(format_of(path)),
+      canvas_(canvas),
+      quality_(quality > 0 ? quality : format_.quality),
+      file_(path) {
     if (format_.halves_colour) canvas_ = {even(canvas.width), even(canvas.height), canvas.rate};
     if (format_.has_palette) {
         palette_.emplace(path + ".palette");
         start(palette_words(canvas_, palette_->temporary()));
     } else {
-        start(encode_words(format_, canvas_, file_.temporary()));
+        start(encode_words(format_, canvas_, quality_, file_.temporary()));
     }
 }
 
@@ -46,18 +52,24 @@ bool Encoder::another_pass() {
     if (!palette_ || palette_found_) return false;
     end_program();
     palette_found_ = true;
-    start(encode_words(format_, canvas_, file_.temporary(), palette_->temporary()));
+    start(encode_words(format_, canvas_, quality_, file_.temporary(), palette_->temporary()));
     return true;
 }
 
-void Encoder::finish() {
+std::uint64_t Encoder::end() {
     end_program();
+    return std::filesystem::file_size(file_.temporary());
+}
+
+void Encoder::finish() {
+    if (program_) end_program();
     file_.finish();
 }
 
 void Encoder::end_program() {
     if (const std::string reason = program_->finish(); !reason.empty()) fail(reason);
     cpu_seconds_ += program_->cpu_seconds();
+    program_.reset();
 }
 
 void Encoder::fail(std::string reason) const {

@@ -1,6 +1,7 @@
 // Frames in, a video file out; ffmpeg, a program of its own, encodes.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,12 +23,15 @@ namespace drape {
 // "FILE: cannot write: reason", ffmpeg's own last line where it has one.
 class Encoder {
 public:
-    // The format goes by the path's ending; every frame has the canvas's size.
-    Encoder(const std::string& path, const Canvas& canvas);
+    // The format goes by the path's ending; every frame has the canvas's size. `quality` 0: the format's own,
+    // which a format that has none always takes.
+    Encoder(const std::string& path, const Canvas& canvas, int quality = 0);
 
     void add(const Image& frame);
     // True where all frames are needed once more: those of a GIF, once its palette is found.
     bool another_pass();
+    // Ends the encoding, before finish(): how large the file will be [bytes].
+    std::uint64_t end();
     void finish();
     // What ffmpeg took, once finished [s].
     double cpu_seconds() const { return cpu_seconds_; }
@@ -40,6 +44,7 @@ private:
     std::string path_;
     const VideoFormat& format_;
     Canvas canvas_;  // as ffmpeg gets it
+    int quality_;
     OutputFile file_;
     std::optional<OutputFile> palette_;
     bool palette_found_ = false;

@@ -17,16 +17,15 @@ constexpr std::string_view halved_colour =
     "-color_primaries bt709 -color_trc bt709 -colorspace bt709 -color_range tv";
 
 constexpr std::array formats{
-    VideoFormat{".mp4", "mp4", "-c:v libx264 -preset medium -crf 18 -threads 4 -movflags +faststart", 60,
+    VideoFormat{".mp4", "mp4", "-c:v libx264 -preset medium -crf 18 -threads 4 -movflags +faststart", 0, 60,
                 true, false},
     VideoFormat{".webm", "webm",
-                "-c:v libvpx-vp9 -crf 24 -b:v 0 -deadline good -cpu-used 4 -row-mt 1 -threads 4", 60, true,
+                "-c:v libvpx-vp9 -crf 24 -b:v 0 -deadline good -cpu-used 4 -row-mt 1 -threads 4", 0, 60, true,
                 false},
-    VideoFormat{".webp", "webp", "-c:v libwebp_anim -quality 80 -compression_level 4 -loop 0", 50, false,
-                false},
+    VideoFormat{".webp", "webp", "-c:v libwebp_anim -compression_level 4 -loop 0", 80, 50, false, false},
     // an ordered dither stands still where the picture does, which keeps the file small
-    VideoFormat{".gif", "gif", "-lavfi paletteuse=dither=bayer:bayer_scale=3:diff_mode=rectangle -loop 0", 50,
-                false, true},
+    VideoFormat{".gif", "gif", "-lavfi paletteuse=dither=bayer:bayer_scale=3:diff_mode=rectangle -loop 0", 0,
+                50, false, true},
 };
 
 void add_words(std::vector<std::string>& words, std::string_view text) {
@@ -59,12 +58,13 @@ const VideoFormat& format_of(const std::string& path) {
     });
 }
 
-std::vector<std::string> encode_words(const VideoFormat& format, const Canvas& canvas, const std::string& out,
-                                      const std::string& palette) {
+std::vector<std::string> encode_words(const VideoFormat& format, const Canvas& canvas, int quality,
+                                      const std::string& out, const std::string& palette) {
     std::vector<std::string> words = input_words(canvas);
     if (format.has_palette) words.insert(words.end(), {"-i", file_word(palette)});
     if (format.halves_colour) add_words(words, halved_colour);
     add_words(words, format.arguments);
+    if (format.quality > 0) add_words(words, cat("-quality ", quality));
     add_words(words, cat("-fflags +bitexact -flags:v +bitexact -f ", format.muxer));
     words.push_back(file_word(out));
     return words;

@@ -39,7 +39,7 @@ TEST_CASE("wrong usage is one line and exit 2", "[app]") {
         std::vector<std::string> arguments;
         std::string says;
     } cases[] = {
-        {{}, "render, simulate, inspect, study, stability, lab, compare, video, mesh, list"},
+        {{}, "render, simulate, inspect, study, stability, lab, compare, video, gallery, mesh, list"},
         {{"rendr", "x.toml"}, "did you mean \"render\"?"},
         {{"simulate"}, "SCENE is required"},
         {{"simulate", "sphere_drop", "--stepp", "1"}, "did you mean \"--step\"?"},
@@ -58,6 +58,8 @@ TEST_CASE("wrong usage is one line and exit 2", "[app]") {
         {{"video", ".", "-o", "x.avi"}, "(known: .mp4, .webm, .webp, .gif)"},
         {{"video", ".", "-o", "x.mp4", "--speed", "0"}, "--speed 0: expected"},
         {{"video", ".", "-o", "x.mp4", "--loop", "0"}, "--loop"},
+        {{"video", ".", "-o", "x.mp4", "--at-most", "0"}, "--at-most 0: expected megabytes over 0"},
+        {{"gallery", "nowhere.toml"}, "nowhere.toml: no such file"},
         {{"video", ".", "-o", "x.mp4", "--difference"}, "--difference: only with --side-by-side"},
         {{"video", ".", "-o", "x.mp4", "--label", "a", "--label", "b"}, "--label: given 2 times for 1"},
         {{"compare", ".", ".", "--ignore", "1,2,3"}, "--ignore 1,2,3: expected X,Y,W,H in pixels"},
@@ -119,7 +121,7 @@ TEST_CASE("help and version are answered, exit 0", "[app]") {
     const Ran help = run_drape({"--help"});
     CHECK(help.exit_code == 0);
     for (const std::string verb :
-         {"render", "simulate", "inspect", "study", "stability", "lab", "video", "mesh", "list"})
+         {"render", "simulate", "inspect", "study", "stability", "lab", "video", "gallery", "mesh", "list"})
         CHECK_THAT(help.out, Catch::Contains(verb));
     CHECK(run_drape({"render", "--help"}).exit_code == 0);
     CHECK_THAT(run_drape({"--version"}).out, Catch::StartsWith("drape "));

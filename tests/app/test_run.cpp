@@ -324,3 +324,12 @@ TEST_CASE("a program without the renderer says so, and still simulates", "[app]"
 }
 
 #endif
+
+TEST_CASE("a run that is interrupted ends within a frame that takes long", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("storm.toml", small_drop("0.4", "[air]\nwind = [1e9, 0, 0]\n")),
+                      out = folder.file("out");
+    CHECK(interrupted_drape({"simulate", scene, "--out", out, "--method", "backward_euler", "--quiet"},
+                            [&] { return std::filesystem::exists(out); }) == 130);
+    CHECK_FALSE(std::filesystem::exists(out + "/report.json"));
+}

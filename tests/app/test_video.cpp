@@ -1,5 +1,7 @@
 // The verb `video` as its users run it. What needs ffmpeg is skipped, with a warning, where it is not
 // installed.
+#include <filesystem>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -80,6 +82,22 @@ TEST_CASE("panes stand side by side with their difference", "[app]") {
     REQUIRE(run_drape({"video", "--side-by-side", frames, frames, "--difference", "-o", out}).exit_code == 0);
     CHECK(value_of(probed(out), "width") == std::to_string(3 * 64 + 2 * 2));
     CHECK(value_of(probed(out), "height") == "36");
+}
+
+TEST_CASE("a video becomes as small as it is asked or is not made", "[app]") {
+    if (skipped_without_ffmpeg()) return;
+    const TemporaryFolder folder;
+    const std::string frames = write_frames(folder.file("a"), 12, 320, 180), out = folder.file("a.webp");
+    REQUIRE(run_drape({"video", frames, "-o", out}).exit_code == 0);
+    const auto whole = std::filesystem::file_size(out);
+    const double most = static_cast<double>(whole) / 2e6;
+    REQUIRE(run_drape({"video", frames, "-o", out, "--at-most", std::to_string(most)}).exit_code == 0);
+    CHECK(std::filesystem::file_size(out) <= whole / 2);
+    std::filesystem::remove(out);
+    const Ran ran = run_drape({"video", frames, "-o", out, "--at-most", "0.0001"});
+    CHECK(ran.exit_code == 3);
+    CHECK_THAT(ran.err, Contains("a.webp: cannot write: at its smallest it has"));
+    CHECK(folder.files() == 1);
 }
 
 TEST_CASE("without ffmpeg a video is one line and exit 3", "[app]") {

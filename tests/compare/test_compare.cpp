@@ -183,7 +183,7 @@ TEST_CASE("what cannot be compared is one line", "[compare]") {
     };
     CHECK(error("none.png").find("no such file") != std::string::npos);
     CHECK(error("broken.png").find("broken.png") != std::string::npos);
-    CHECK(error("text.txt").find(".png, .pc2, .mdd") != std::string::npos);
+    CHECK(error("text.txt").find(".png, .pc2, .mdd, .glb") != std::string::npos);
     CHECK(error("cloth.pc2").find("a picture against a cache") != std::string::npos);
     CHECK(error(".").find("a file against a folder") != std::string::npos);
     std::filesystem::create_directory(folder.file("empty"));

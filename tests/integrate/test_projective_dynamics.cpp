@@ -34,12 +34,12 @@ TEST_CASE("projective dynamics goes where backward Euler goes, with one factoris
 }
 
 TEST_CASE("springs of 1e9 N/m stay bounded under projective dynamics at steps of any length", "[integrate]") {
-    for (const double step : {1e-4, 2e-3, 1 / 30.0}) {
+    for (const auto& [step, frame_rate] : {std::pair(1e-4, 120.0), {2e-3, 30.0}, {1 / 30.0, 30.0}}) {
         Setup setup = swatch(3, 1e9);
         setup.method = "projective_dynamics";
         setup.step = step;
-        setup.frame_rate = 30;
-        setup.frames = 2;
+        setup.frame_rate = frame_rate;
+        setup.frames = 1;
         Simulation simulation(std::move(setup));
         const double energy = simulation.energies().total();
         while (simulation.frame() < simulation.frames()) {

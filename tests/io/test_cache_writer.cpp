@@ -1,5 +1,7 @@
 #include "io/cache_writer.h"
 
+#include <map>
+
 #include <catch2/catch.hpp>
 
 #include "io/cache_reader.h"
@@ -116,13 +118,13 @@ TEST_CASE("a cache nobody can write is refused before the first sample", "[io]")
               std::string::npos);
     }
     const std::string unknown = error_of([&] { make_cache_writer(folder.file("a.abc"), mesh, 30, 5); });
-    CHECK(unknown.find("(known: .pc2, .mdd, .obj, .ply)") != std::string::npos);
+    CHECK(unknown.find("(known: .pc2, .mdd, .obj, .ply, .glb)") != std::string::npos);
 }
 
 TEST_CASE("a cache that is cut, lies about its size or is none is refused", "[io]") {
     const Mesh mesh = seamed();
     const TemporaryFolder folder;
-    for (const char* ending : {".pc2", ".mdd"}) {
+    for (const char* ending : {".pc2", ".mdd", ".glb"}) {
         CAPTURE(ending);
         const std::string path = folder.file(cat("a", ending));
         const auto writer = make_cache_writer(path, mesh, 30, 1);
@@ -134,7 +136,8 @@ TEST_CASE("a cache that is cut, lies about its size or is none is refused", "[io
             CHECK(error_of([&] { read_cache(cut); }).starts_with(cut));
         }
         std::string huge = whole;
-        huge.replace(ending == std::string(".pc2") ? 28 : 0, 4, "\x7f\x7f\x7f\x7f");
+        const std::map<std::string, size_t> size_at{{".pc2", 28}, {".mdd", 0}, {".glb", 8}};
+        huge.replace(size_at.at(ending), 4, "\x7f\x7f\x7f\x7f");
         const std::string lie = folder.file(cat("lie", ending), huge);
         CHECK(error_of([&] { read_cache(lie); }).starts_with(lie));
     }

@@ -18,9 +18,10 @@ TEST_CASE("experiments are found by name, once each, in the story's order", "[la
     CHECK_THROWS_AS(experiments_named(std::vector<std::string>{"anisotrpy"}), Error);
 }
 
-TEST_CASE("every experiment has a claim, a story, and figures with their csv", "[lab]") {
+TEST_CASE("every quick experiment has a claim, a story, and figures with their csv", "[lab]") {
     std::set<std::string> files;
     for (const Experiment& experiment : experiments()) {
+        if (!experiment.quick) continue;
         const std::string name(experiment.name);
         const LabResult result = experiment.run();
         CAPTURE(name, result.claim);

@@ -64,6 +64,20 @@ TEST_CASE("report.json says what the frames add up to, and null where nothing is
     CHECK(json["machine"]["renderer"].is_null());
 }
 
+TEST_CASE("crossings are the most of any frame and the last, and null where none were counted", "[report]") {
+    RunReport report = two_frames();
+    CHECK(nlohmann::json::parse(report_json(report))["contact"]["crossings"].is_null());
+    CHECK_THAT(report_summary(report), !Catch::Contains("crosses"));
+    for (FrameReport& frame : report.frames) frame.crossings = 0;
+    CHECK_THAT(report_summary(report), Catch::Contains("cloth crosses itself in no frame"));
+    report.frames[0].crossings = 3;
+    const auto json = nlohmann::json::parse(report_json(report));
+    CHECK(json["contact"]["crossings"] == 3);
+    CHECK(json["contact"]["crossings_last"] == 0);
+    CHECK(json["frames"][0]["crossings"] == 3);
+    CHECK_THAT(report_summary(report), Catch::Contains("up to 3 pairs of triangles, 0 at the end"));
+}
+
 TEST_CASE("without obstacles no distance is made up", "[report]") {
     RunReport report = two_frames();
     for (FrameReport& frame : report.frames) frame.least_distance = INFINITY;

@@ -106,10 +106,12 @@ TEST_CASE("keyframes must have times and these must increase", "[scene]") {
           "scene.toml:4:52: keyframe times must increase, got 1 after 1");
 }
 
-TEST_CASE("self contact is refused as not there yet, never ignored", "[scene]") {
-    CHECK(error_of(with_cloth("self_contact = true\n")) ==
-          "scene.toml:4:16: self_contact: this version of drape cannot do it yet (false)");
-    CHECK(error_of(with_cloth("self_contact = false\n")).empty());
+TEST_CASE("cloth meets itself only where the scene says so", "[scene]") {
+    CHECK(scene_of(with_cloth("self_contact = true\n")).cloths.at(0).self_contact);
+    CHECK_FALSE(scene_of(with_cloth("self_contact = false\n")).cloths.at(0).self_contact);
+    CHECK_FALSE(scene_of(with_cloth("")).cloths.at(0).self_contact);
+    CHECK(scene_of(with_cloth("fabric = { friction = 0.7 }\n")).cloths.at(0).fabric.friction == 0.7);
+    CHECK_THAT(error_of(with_cloth("fabric = { friction = -1 }\n")), Catch::Contains("friction"));
 }
 
 TEST_CASE("a cloth's colours are its own, the palette's where it says nothing", "[scene]") {

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "base/error.h"
 #include "support/setups.h"
 
 using namespace drape;
@@ -141,4 +142,30 @@ TEST_CASE("a cloth of pins alone goes where they go, under every method", "[simu
                 CHECK((simulation.state().x.col(i) - pose * start.col(i)).norm() < 1e-12);
         }
     }
+}
+
+TEST_CASE("a frame whose steps have no end is given up and told", "[simulate]") {
+    // in the storm the triangles stretch and find more wind than was foreseen
+    Setup setup = scene_of(square(1), full_fabric(), {0});
+    setup.method = "verlet";
+    setup.world.air = {.drag = 0, .aerodynamic = true, .wind = {1e4, 1e4, 0}};
+    Simulation simulation(setup);
+    const FrameReport report = simulation.advance();
+    CHECK_THAT(report.trouble, Catch::Contains(" steps, the last of ") && Catch::Contains(" at vertex "));
+    CHECK(simulation.frame() == 0);
+    CHECK(simulation.state().x == setup.start.x);
+}
+
+TEST_CASE("a run that is asked to stop does so within its frame", "[simulate]") {
+    Setup setup = ball_drop();
+    int asked = 0;
+    setup.stop = [&] { return ++asked == 5; };
+    Simulation simulation(setup);
+    try {
+        simulation.advance();
+        FAIL("went on");
+    } catch (const Error& stopped) {
+        CHECK(stopped.code() == Exit::interrupted);
+    }
+    CHECK(asked == 5);
 }

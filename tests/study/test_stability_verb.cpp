@@ -35,7 +35,7 @@ void check_axis_labels(const std::string& svg, int columns) {
 TEST_CASE("drape stability leaves a csv, maps and a page, and nothing half-written", "[study]") {
     const TemporaryFolder folder;
     const std::string out = folder.file("out");
-    const Ran ran = run_drape({"stability", "--out", out, "--method", "verlet", "--runs", "2"});
+    const Ran ran = run_drape({"stability", "--out", out, "--method", "verlet", "--runs", "1"});
     CAPTURE(ran.err);
     CHECK(ran.exit_code == 0);
     CHECK_THAT(ran.out, Catch::StartsWith("verlet: stable up to ") && Catch::Contains("\nauto: "));

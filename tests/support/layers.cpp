@@ -30,6 +30,7 @@ constexpr std::array table{
     Layer{"report", "simulate base"},
     Layer{"compare", "toml picture io base"},
     Layer{"video", "picture io base"},
+    Layer{"gallery", "toml io base"},
     Layer{"study",
           "compare report render scene toml io simulate integrate contact force obstacle cloth mesh base"},
     Layer{"lab", "study scene io simulate integrate contact force obstacle cloth mesh base"},

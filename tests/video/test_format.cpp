@@ -30,7 +30,7 @@ TEST_CASE("the ending of the file says which video it is", "[video]") {
 
 TEST_CASE("ffmpeg is told of raw frames, their size and rate, and of a file that is no flag", "[video]") {
     for (const std::string name : {"-a.mp4", "-a.webm", "-a.webp", "-a.gif"}) {
-        const Words words = encode_words(format_of(name), {641, 360, 29.97}, name, "p.png");
+        const Words words = encode_words(format_of(name), {641, 360, 29.97}, 50, name, "p.png");
         CHECK(words.front() == "ffmpeg");
         CHECK(words.back() == "file:" + name);
         CHECK(has(words, {"-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", "641x360", "-framerate",
@@ -43,7 +43,7 @@ TEST_CASE("ffmpeg is told of raw frames, their size and rate, and of a file that
 
 TEST_CASE("each format is encoded as its players expect", "[video]") {
     const auto words = [](const char* name) {
-        return encode_words(format_of(name), {64, 36, 30}, name, "p.png");
+        return encode_words(format_of(name), {64, 36, 30}, 50, name, "p.png");
     };
     for (const char* name : {"a.mp4", "a.webm"}) {
         CHECK(has(words(name), {"-color_primaries", "bt709", "-color_trc", "bt709", "-colorspace", "bt709"}));
@@ -56,6 +56,8 @@ TEST_CASE("each format is encoded as its players expect", "[video]") {
     CHECK(has(words("a.mp4"), {"-movflags", "+faststart"}));
     CHECK(has(words("a.webm"), {"-c:v", "libvpx-vp9"}));
     CHECK(has(words("a.webp"), {"-loop", "0"}));
+    CHECK(has(words("a.webp"), {"-quality", "50"}));
+    CHECK_FALSE(has(words("a.mp4"), {"-quality"}));
     CHECK(has(words("a.gif"), {"-i", "pipe:0", "-i", "file:p.png"}));
     CHECK(has(words("a.gif"), {"-loop", "0"}));
     CHECK(has(palette_words({64, 36, 30}, "p.png"), {"-vf", "palettegen"}));

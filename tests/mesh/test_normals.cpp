@@ -1,4 +1,4 @@
-#include "render/normals.h"
+#include "mesh/normals.h"
 
 #include <catch2/catch.hpp>
 
@@ -6,14 +6,14 @@
 
 using namespace drape;
 
-TEST_CASE("normals of a ball point away from its centre", "[render]") {
+TEST_CASE("normals of a ball point away from its centre", "[mesh]") {
     const Mesh mesh = ball(2, 16);
     const Points normals = vertex_normals(mesh.rest, mesh.faces);
     for (int v = 0; v < mesh.vertices(); ++v)
         CHECK((normals.col(v) - mesh.rest.col(v) / 2).norm() < 1e-9);  // exact on a sphere
 }
 
-TEST_CASE("a roof keeps its sharp ridge and smooths a gentle one", "[render]") {
+TEST_CASE("a roof keeps its sharp ridge and smooths a gentle one", "[mesh]") {
     const double rise = GENERATE(0.1, 1.0);
     Points x(3, 4);
     x << 0, 0, 1, -1, rise, rise, 0, 0, 0, 1, 0, 0;
@@ -25,7 +25,7 @@ TEST_CASE("a roof keeps its sharp ridge and smooths a gentle one", "[render]") {
     CHECK(corner.col(0).y() > 0.5);
 }
 
-TEST_CASE("a vertex without area around it gets a unit normal, not a NaN", "[render]") {
+TEST_CASE("a vertex without area around it gets a unit normal, not a NaN", "[mesh]") {
     Points x = Points::Zero(3, 3);
     Faces faces(3, 1);
     faces << 0, 1, 2;

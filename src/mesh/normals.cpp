@@ -1,4 +1,4 @@
-#include "render/normals.h"
+#include "mesh/normals.h"
 
 #include <array>
 #include <cmath>
