@@ -63,7 +63,8 @@ RenderSettings settings_of(const SceneDescription& scene, const Simulation& simu
     return settings;
 }
 
-std::vector<DrawnCloth> cloths_of(const SceneDescription& scene, const Simulation& simulation) {
+std::vector<DrawnCloth> cloths_of(const SceneDescription& scene,
+                                  const std::vector<std::shared_ptr<const Mesh>>& meshes) {
     std::vector<DrawnCloth> cloths;
     for (size_t i = 0; i < scene.cloths.size(); ++i) {
         const ClothColours& asked = scene.cloths[i].colours;
@@ -72,7 +73,7 @@ std::vector<DrawnCloth> cloths_of(const SceneDescription& scene, const Simulatio
         look.back = asked.back.value_or(look.back);
         look.stripe = asked.stripe.value_or(look.stripe);
         look.stripes = asked.stripes;
-        cloths.push_back({&simulation.model().cloths[i].mesh, look});
+        cloths.push_back({meshes[i].get(), look});
     }
     return cloths;
 }
@@ -114,7 +115,12 @@ Segments springs_of(const Model& model, In x) {
 }  // namespace
 
 DrawnScene drawn_scene(const SceneDescription& scene, const Simulation& simulation) {
-    return {settings_of(scene, simulation), cloths_of(scene, simulation), solids_of(scene, simulation)};
+    std::vector<std::shared_ptr<const Mesh>> meshes;
+    for (const Cloth& cloth : simulation.model().cloths)
+        meshes.push_back(std::make_shared<const Mesh>(cloth.mesh));
+    std::vector<DrawnCloth> cloths = cloths_of(scene, meshes);
+    return {settings_of(scene, simulation), std::move(meshes), std::move(cloths),
+            solids_of(scene, simulation)};
 }
 
 Renderer make_renderer(const DrawnScene& scene) {

@@ -1,6 +1,7 @@
 // Hands a simulation's frames to the renderer.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,15 @@ FrameInput frame_input(const std::string& overlay, const Simulation& simulation,
 // All a renderer of the scene is made of, as far as it stays the same from frame to frame.
 struct DrawnScene {
     RenderSettings settings;
+    std::vector<std::shared_ptr<const Mesh>> meshes;  // of the cloths: a run may end the simulation before
     std::vector<DrawnCloth> cloths;
     std::vector<DrawnSolid> solids;
 };
 
-// The room the camera sees is judged from where the simulation stands, whose meshes must outlive what is
-// returned.
+// The room the camera sees is judged from where the simulation stands.
 DrawnScene drawn_scene(const SceneDescription& scene, const Simulation& simulation);
 
+// The scene must outlive what is returned.
 Renderer make_renderer(const DrawnScene& scene);
 
 }  // namespace drape

@@ -48,9 +48,10 @@ DrawState drawer([[maybe_unused]] SceneDescription scene, [[maybe_unused]] const
 #ifdef DRAPE_WITH_RENDER
     struct Kept {
         Simulation simulation;
+        DrawnScene drawn;
         Renderer renderer;
-        Kept(const SceneDescription& drawn, const Setup& from)
-            : simulation(from), renderer(make_renderer(drawn_scene(drawn, simulation))) {}
+        Kept(const SceneDescription& described, const Setup& from)
+            : simulation(from), drawn(drawn_scene(described, simulation)), renderer(make_renderer(drawn)) {}
     };
     scene.look.size = {640, 360};
     scene.look.overlay = "none";

@@ -146,7 +146,7 @@ TEST_CASE("resuming with a changed scene names the keys and goes on from a frame
         CHECK_THAT(ran.err, Catch::Contains(says));
     };
     const std::vector<std::string> rougher{"--set", "obstacle.0.friction=0.7", "--set",
-                                           "cloth.0.fabric.damping=0.02"};
+                                           "cloth.0.fabric={ preset = \"cotton\", damping = 0.02 }"};
     std::vector<std::string> more = rougher;
     more.push_back("--resume");
     refused(more, "is of a run with another cloth.0.fabric.damping, obstacle.0.friction (--from " + frame);
