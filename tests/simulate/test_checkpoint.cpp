@@ -15,7 +15,19 @@ Checkpoint small_checkpoint() {
     ByteWriter passes;
     passes.put(random_points(3, 1, 1));
     passes.put(7);
-    return {0xfedcba9876543210, 1.75, std::move(passes).bytes()};
+    Checkpoint checkpoint;
+    checkpoint.scene = "schema = 1\n";
+    checkpoint.steps = "verlet 3 4";
+    checkpoint.start_energy = 1.75;
+    checkpoint.solver.factorisations = 2;
+    checkpoint.frames.resize(1);
+    checkpoint.frames[0].crossings = 5;
+    checkpoint.frames[0].error_max = 1e-3;
+    checkpoint.frames[0].hash = "00ff";
+    checkpoint.pictures = {"12ab"};
+    checkpoint.keeps_positions = true;
+    checkpoint.passes = std::move(passes).bytes();
+    return checkpoint;
 }
 
 // The run that goes on from the bytes of `at` in a simulation of its own.
@@ -39,7 +51,15 @@ TEST_CASE("a checkpoint's bytes give back every bit of it", "[simulate]") {
     const Checkpoint written = small_checkpoint();
     const auto read = read_checkpoint(checkpoint_bytes(written));
     REQUIRE(read);
-    CHECK(read->scene_hash == written.scene_hash);
+    CHECK(read->scene == written.scene);
+    CHECK(read->steps == written.steps);
+    CHECK(read->solver.factorisations == 2);
+    REQUIRE(read->frames.size() == 1);
+    CHECK(read->frames[0].crossings == 5);
+    CHECK(read->frames[0].error_max == 1e-3);
+    CHECK(read->frames[0].hash == "00ff");
+    CHECK(read->pictures == written.pictures);
+    CHECK(read->keeps_positions);
     CHECK(read->start_energy == written.start_energy);
     CHECK(read->passes == written.passes);
     ByteReader in(read->passes);
