@@ -123,9 +123,9 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     prepare_folder();
     const Points start = delivery_->state().x;
     if (options.resume) resume();
-    if (!options.cache.empty())
-        caches_.emplace(options.cache, simulation.model(), front_colours(scene_), scene_.frame_rate,
-                        drawn_[1], kept_positions_of(out_), start, delivery_->frame());
+    if (!options.cache.empty())  // resume() may have put another simulation in place
+        caches_.emplace(options.cache, delivery_->simulation().model(), front_colours(scene_),
+                        scene_.frame_rate, drawn_[1], kept_positions_of(out_), start, delivery_->frame());
 }
 
 // Told before anything is built, for what is not there is taken from other programs first.
