@@ -30,7 +30,7 @@ TEST_CASE("the heavy cantilever's tip hangs as tables of the elastica have it", 
                                {10, 1.066802}, {20, 1.863930}, {50, 3.705561}, {100, 5.888105}};
     for (const auto& [load, slope] : table) {
         CAPTURE(load);
-        CHECK(heavy_cantilever(load).slope() == Approx(slope).epsilon(1e-5));
+        CHECK(heavy_cantilever(load).slope() == Approx(slope).epsilon(1e-5).margin(6e-7));  // as printed
     }
 }
 
