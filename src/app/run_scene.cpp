@@ -122,10 +122,10 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     if (options.pictures) prepare_pictures();
     prepare_folder();
     const Points start = delivery_->state().x;
-    if (options.resume) resume();
+    if (options.resume) resume();  // ends the simulation there was
     if (!options.cache.empty())
-        caches_.emplace(options.cache, simulation.model(), front_colours(scene_), scene_.frame_rate,
-                        drawn_[1], kept_positions_of(out_), start, delivery_->frame());
+        caches_.emplace(options.cache, delivery_->simulation().model(), front_colours(scene_),
+                        scene_.frame_rate, drawn_[1], kept_positions_of(out_), start, delivery_->frame());
 }
 
 // Told before anything is built, for what is not there is taken from other programs first.
