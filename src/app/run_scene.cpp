@@ -122,8 +122,8 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     if (options.pictures) prepare_pictures();
     prepare_folder();
     const Points start = delivery_->state().x;
-    if (options.resume) resume();
-    if (!options.cache.empty())  // resume() may have put another simulation in place
+    if (options.resume) resume();  // ends the simulation there was
+    if (!options.cache.empty())
         caches_.emplace(options.cache, delivery_->simulation().model(), front_colours(scene_),
                         scene_.frame_rate, drawn_[1], kept_positions_of(out_), start, delivery_->frame());
 }
