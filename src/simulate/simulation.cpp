@@ -165,6 +165,7 @@ void Simulation::save(ByteWriter& out) const {
     out.put(state_.time);
     out.put(dynamics_->flow().dissipated);
     out.put(dynamics_->flow().driven);
+    for (const double step : {step_, longest_, guaranteed_}) out.put(step);
 }
 
 bool Simulation::restore(ByteReader& in) {
@@ -176,6 +177,7 @@ bool Simulation::restore(ByteReader& in) {
     EnergyFlow flow;
     flow.dissipated = in.take<double>();
     flow.driven = in.take<double>();
+    for (double* step : {&step_, &longest_, &guaranteed_}) *step = in.take<double>();
     if (!in.ok() || state.x.cols() != state_.x.cols() || state.v.cols() != state_.v.cols()) return false;
     // no run saves anything else: what is wrong here would not be told apart from a simulation gone wrong
     if (frame < 0 || frame > setup_.frames || !state.x.allFinite() || !state.v.allFinite() ||
@@ -184,6 +186,8 @@ bool Simulation::restore(ByteReader& in) {
     frame_ = frame;
     state_ = state;
     dynamics_->reset_flow(flow);
+    // a run that is over but for its pictures asks what its last frame left
+    if (Contact* contact = dynamics_->contact()) contact->prepare(state_, step_);
     return true;
 }
 
