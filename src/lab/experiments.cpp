@@ -17,8 +17,6 @@ constexpr std::array table{
                run_erratum},
     Experiment{"jumps", "where `shortest` changes its altitude its force jumps; that of `blend` does not",
                run_jumps},
-    Experiment{"conflict", "three altitudes in a triangle: feet outside their edge, rigidity, steps by mode",
-               run_conflict, false},
     Experiment{"fabric", "fabric presets as a textile laboratory measures them: bending, stretch, drape",
                run_fabric, false},
     Experiment{"validation",

@@ -10,7 +10,6 @@ LabResult run_density();
 LabResult run_compression();
 LabResult run_erratum();
 LabResult run_jumps();
-LabResult run_conflict();
 LabResult run_fabric();
 LabResult run_validation();
 

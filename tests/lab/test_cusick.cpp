@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "lab/conflict.h"
 #include "lab/fabrics.h"
 #include "mesh/pattern.h"
 #include "support/meshes.h"
@@ -41,14 +40,4 @@ TEST_CASE("the laboratory measures the fabrics it is asked for", "[lab]") {
     CHECK(result.csv.front().file == "fabric");
     CHECK_THAT(error_of([] { measure_fabrics(std::vector<std::string>{"papr"}); }),
                Catch::Contains("\"paper\""));
-}
-
-TEST_CASE("feet stand on their edges but where triangles are obtuse", "[lab]") {
-    const Feet right = feet_of(make_pattern("alternating", {1, 1, 8, 8}));
-    CHECK(right.outside == 0);
-    CHECK(right.most_lever == Approx(1));
-    const Feet irregular = feet_of(make_pattern("pseudo_random", {1, 1, 16, 16}));
-    CHECK(irregular.outside > 0.02);
-    CHECK(irregular.outside < 0.67);  // two in an obtuse triangle
-    CHECK(irregular.most_lever > 1.1);
 }
