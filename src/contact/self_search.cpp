@@ -158,7 +158,7 @@ void SelfSearch::fill_grid() {
 void SelfSearch::find(In x, double reach, std::vector<SelfPair>& pairs) {
     pairs.clear();
     if (faces_.empty()) return;
-    if (!make_boxes(x, reach / 2)) return;  // motion that ran away
+    if (!x.allFinite() || !make_boxes(x, reach / 2)) return;  // motion that ran away
     fill_grid();
     for (size_t b = 0; b + 1 < first_.size(); ++b) {
         for (std::uint32_t i = first_[b]; i < first_[b + 1]; ++i) {
