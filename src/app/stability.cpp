@@ -88,8 +88,8 @@ Exit map_stability(const StabilityRequest& request) {
     const StabilityOptions options = options_of(request);
     Subject subject = subject_of(request);
     const std::string out = request.out.empty() ? "renders/stability" : request.out;
-    make_folder(out);
     catch_interrupts();
+    make_folder(out);
     const StabilityMap map = make_stability_map(std::move(subject.cloths), subject.whole, options);
     demand_no_interrupt();
 
