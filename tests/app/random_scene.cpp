@@ -88,9 +88,11 @@ std::string cloth(Dice& dice) {
     if (dice.one_in(3)) return text;
     if (dice.one_in(3))
         return text + cat("pins = [{ boundary = 0, rigid = true, motion = ", motion(dice), " }]\n");
-    return text + cat("pins = [{ near = ", dice.vector(1),
-                      dice.one_in(2) ? cat(", motion = ", motion(dice)) : "", " }, { near = ", dice.vector(1),
-                      " }]\n");
+    // the nearest vertex, wherever it is
+    const auto pin = [&] { return cat("{ near = ", dice.vector(1), ", within = 10"); };
+    text +=
+        cat("pins = [", pin(), dice.one_in(2) ? cat(", rigid = true, motion = ", motion(dice)) : "", " }, ");
+    return text + cat(pin(), " }]\n");
 }
 
 std::string obstacle(Dice& dice) {
