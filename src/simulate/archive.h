@@ -57,7 +57,7 @@ public:
         const auto columns = take<std::uint64_t>();
         if (columns > rest_.size() / (3 * sizeof(double))) return fail(Points());
         Points points(3, static_cast<Eigen::Index>(columns));
-        std::memcpy(points.data(), rest_.data(), columns * 3 * sizeof(double));
+        if (columns > 0) std::memcpy(points.data(), rest_.data(), columns * 3 * sizeof(double));
         rest_.remove_prefix(columns * 3 * sizeof(double));
         return points;
     }
