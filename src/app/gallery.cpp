@@ -222,10 +222,10 @@ void say(const GalleryRequest& request, const std::string& line) {
 }  // namespace
 
 Exit make_gallery(const GalleryRequest& request) {
+    const Catalogue catalogue = read_catalogue(request.file.empty() ? default_catalogue() : request.file);
 #ifndef DRAPE_WITH_RENDER
     throw Error("this drape was built without a renderer (build with DRAPE_RENDER=ON)");
 #endif
-    const Catalogue catalogue = read_catalogue(request.file.empty() ? default_catalogue() : request.file);
     const std::string out =
         fs::absolute(request.out.empty() ? "renders/gallery_page" : request.out).lexically_normal().string();
     for (const std::string& name : request.only) find_named(catalogue.pieces, "piece", name);
