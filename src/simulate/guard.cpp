@@ -46,14 +46,16 @@ double Guard::weight_energy(In x) const {
     return -gravity_.dot(x * dynamics_.model().mass);
 }
 
+Guard::Stock Guard::stock_of(const State& state) const {
+    return {kinetic_energy(state.v), dynamics_.potential_energy(state.x, state.time), weight_energy(state.x)};
+}
+
 // The centre of mass moves with at most V: M V^2 / 2 is at most the energy there was plus M g times the way,
 // V T at most, hence V <= g T + sqrt(g^2 T^2 + 2 E / M).
-void Guard::begin_frame(const State& state, double duration) {
-    kinetic_ = kinetic_energy(state.v);
-    potential_ = dynamics_.potential_energy(state.x, state.time);
-    weight_ = weight_energy(state.x);
+void Guard::begin_frame(const State& state, double duration, bool known) {
+    start_ = known && last_ ? *last_ : stock_of(state);
     flow_ = dynamics_.flow();
-    const double stored = kinetic_ + std::max(potential_ - weight_, 0.0);
+    const double stored = start_.kinetic + std::max(start_.potential - start_.weight, 0.0);
     const double gained = gravity_.norm() * duration;
     const double speed = mass_ > 0 ? gained + std::sqrt(gained * gained + 2 * stored / mass_) : 0;
     available_ = stored + mass_ * gained * speed + least_energy_of_a_kilogram * mass_;
@@ -65,17 +67,16 @@ bool Guard::step_holds(In v) const {
     return kinetic <= slack * (available_ + std::max(dynamics_.flow().driven - flow_.driven, 0.0));
 }
 
-double Guard::gain(const State& state) const {
+double Guard::gain(const State& state) {
     if (!books_.drive || !books_.springs || mass_ == 0) return 0;  // where nothing is free, nothing gains
-    const double kinetic = kinetic_energy(state.v);
-    const double potential = dynamics_.potential_energy(state.x, state.time);
-    const double weight = weight_energy(state.x);
+    last_ = stock_of(state);
+    const auto& [kinetic, potential, weight] = *last_;
     const double driven = dynamics_.flow().driven - flow_.driven;
     const double dissipated = dynamics_.flow().dissipated - flow_.dissipated;
-    const double gained = kinetic + potential - kinetic_ - potential_ - driven + dissipated;
-    const double at_play = kinetic + kinetic_ + std::abs(potential - weight) +
-                           std::abs(potential_ - weight_) + std::abs(weight - weight_) + std::abs(driven) +
-                           std::abs(dissipated) + least_energy_of_a_kilogram * mass_;
+    const double gained = kinetic + potential - start_.kinetic - start_.potential - driven + dissipated;
+    const double at_play = kinetic + start_.kinetic + std::abs(potential - weight) +
+                           std::abs(start_.potential - start_.weight) + std::abs(weight - start_.weight) +
+                           std::abs(driven) + std::abs(dissipated) + least_energy_of_a_kilogram * mass_;
     return gained / at_play;
 }
 

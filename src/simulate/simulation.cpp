@@ -185,6 +185,7 @@ bool Simulation::restore(ByteReader& in) {
         return false;
     frame_ = frame;
     state_ = state;
+    weighed_ = false;
     dynamics_->reset_flow(flow);
     // a run that is over but for its pictures asks what its last frame left
     if (Contact* contact = dynamics_->contact()) contact->prepare(state_, step_);

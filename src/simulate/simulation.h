@@ -142,6 +142,7 @@ private:
     std::optional<Guard> guard_;
     int halvings_ = 0;        // of the present try at a frame
     bool runs_away_ = false;  // the present try did not stay finite, or took energy from nowhere
+    bool weighed_ = false;    // the guard knows the energies of state_
 };
 
 }  // namespace drape

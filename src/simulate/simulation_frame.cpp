@@ -92,6 +92,7 @@ FrameReport Simulation::next_frame() {
     if (const Contact* contact = dynamics_->contact(); contact && contact->self())
         report.crossings = contact->self()->crossings(state_.x).pairs;
     ++frame_;
+    weighed_ = true;
     report.time = state_.time;
     report.strain = largest_strain(setup_.model, state_.x);
     report.fastest = std::sqrt(state_.v.colwise().squaredNorm().maxCoeff());
@@ -107,7 +108,9 @@ FrameReport Simulation::try_frame() {
     const double end_time = report.index / setup_.frame_rate;
     choose_step();
     if (Contact* contact = dynamics_->contact()) contact->prepare(state_, step_);
-    guard_->begin_frame(state_, end_time - state_.time);
+    // without contact, whose energy depends on what it has listed
+    guard_->begin_frame(state_, end_time - state_.time, weighed_ && !dynamics_->contact());
+    weighed_ = false;
     integrator_->begin(*dynamics_, state_, step_);
     report.planned_steps = std::lround(1 / setup_.frame_rate / step_);
     report.shortest_step = step_;

@@ -8,10 +8,12 @@ program=${1:-build/release/drape}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# instructions FUNCTION: with all that it calls, summed over what matches
+# instructions FUNCTIONS...: with all that they call
 instructions() {
     callgrind_annotate --inclusive=yes --threshold=100 "$folder/counts" 2>/dev/null |
-        awk -v name="drape::$1" 'index($0, name) { gsub(",", "", $1); sum += $1 } END { print sum + 0 }'
+        awk -v names="$*" 'BEGIN { split(names, name, " ") }
+            { for (i in name) if (index($0, "drape::" name[i])) { gsub(",", "", $1); sum += $1 } }
+            END { print sum + 0 }'
 }
 
 # share SCENE SECONDS
@@ -19,7 +21,7 @@ share() {
     valgrind --quiet --tool=callgrind --callgrind-out-file="$folder/counts" "$program" simulate "$1" \
         --set scene.duration="$2" --no-estimate --quiet --threads 1 --out "$folder/out" >/dev/null 2>&1
     local guard all
-    guard=$(instructions 'Guard::')
+    guard=$(instructions 'Guard::begin_frame(' 'Guard::step_holds(' 'Guard::gain(')
     all=$(instructions 'Simulation::next_frame()')
     awk -v scene="$1" -v guard="$guard" -v all="$all" \
         'BEGIN { printf "%-16s %6.2f %% of %.3g instructions\n", scene, 100 * guard / all, all }'
