@@ -50,28 +50,20 @@ DRAPE_WIDE void extend(Extent& extent, const double* x, const double* from, Eige
     extent = wide;
 }
 
-DRAPE_WIDE void extend_ahead(Extent& now, Extent& then, const double* x, const double* from, const double* v,
-                             double time, Eigen::Index values) {
+DRAPE_WIDE void extend(Extent& extent, const double* move, Eigen::Index values) {
     constexpr int lanes = Extent::lanes;
-    Extent near = now, far = then;
+    Extent wide = extent;
     Eigen::Index i = 0;
     for (; i + lanes <= values; i += lanes)
         for (int k = 0; k < lanes; ++k) {
-            const double way = x[i + k] - from[i + k], ahead = way + time * v[i + k];
-            near.low[k] = way < near.low[k] ? way : near.low[k];
-            near.high[k] = way > near.high[k] ? way : near.high[k];
-            far.low[k] = ahead < far.low[k] ? ahead : far.low[k];
-            far.high[k] = ahead > far.high[k] ? ahead : far.high[k];
+            wide.low[k] = move[i + k] < wide.low[k] ? move[i + k] : wide.low[k];
+            wide.high[k] = move[i + k] > wide.high[k] ? move[i + k] : wide.high[k];
         }
     for (int k = 0; i < values; ++i, ++k) {
-        const double way = x[i] - from[i], ahead = way + time * v[i];
-        near.low[k] = std::min(near.low[k], way);
-        near.high[k] = std::max(near.high[k], way);
-        far.low[k] = std::min(far.low[k], ahead);
-        far.high[k] = std::max(far.high[k], ahead);
+        wide.low[k] = std::min(wide.low[k], move[i]);
+        wide.high[k] = std::max(wide.high[k], move[i]);
     }
-    now = near;
-    then = far;
+    extent = wide;
 }
 
 }  // namespace
@@ -83,21 +75,10 @@ double Drift::at(In x) const {
     return extent.diagonal();
 }
 
-double Drift::ahead(In x, In v, double time) const {
-    Extent now, then;
-    for (const auto& [first, columns] : ranges_)
-        extend_ahead(now, then, x.data() + 3 * first, from_.data() + 3 * first, v.data() + 3 * first, time,
-                     3 * columns);
-    return std::max(now.diagonal(), then.diagonal());
-}
-
 double Drift::of(In move) const {
-    Vec3 low = Vec3::Constant(INFINITY), high = Vec3::Constant(-INFINITY);
-    for (const auto& [first, columns] : ranges_) {
-        low = low.cwiseMin(move.middleCols(first, columns).rowwise().minCoeff());
-        high = high.cwiseMax(move.middleCols(first, columns).rowwise().maxCoeff());
-    }
-    return (high - low).norm();
+    Extent extent;
+    for (const auto& [first, columns] : ranges_) extend(extent, move.data() + 3 * first, 3 * columns);
+    return extent.diagonal();
 }
 
 }  // namespace drape

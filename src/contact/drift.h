@@ -15,9 +15,8 @@ public:
     explicit Drift(std::vector<std::pair<int, int>> ranges) : ranges_(std::move(ranges)) {}
 
     void begin(In x) { from_ = x; }
-    double at(In x) const;                        // [m]
-    double ahead(In x, In v, double time) const;  // the larger one of at(x) and at(x + time v)
-    double of(In move) const;                     // that a move makes
+    double at(In x) const;     // [m]
+    double of(In move) const;  // that a move makes
 
 private:
     std::vector<std::pair<int, int>> ranges_;

@@ -13,6 +13,7 @@ namespace {
 constexpr double damping_ratio = 0.5;  // of critical, in the normal direction
 constexpr double steps_a_list = 10;    // that a choice of near pairs shall last
 constexpr double farthest_move = 4;    // of neighbours apart in one move of a solver, in mean edges
+constexpr double kept_part = 0.1;      // of its distance, or the thickness, that a pair keeps in a move
 constexpr double least_start = 0.01;   // of the thickness, between layers at the start
 
 // How fast one part of a cloth may meet another: by what it starts with, by falling from its own height, and
@@ -116,45 +117,60 @@ void SelfContact::cover(In x, double more) {
     list(x, more);
 }
 
-void SelfContact::cover(In x, In v) {
-    if (near_margin_ >= 0 && near_drift_.ahead(x, v, ahead_) <= near_margin_) return;
-    list(x, ahead_ * near_drift_.of(v));
+// Pairs beyond the barrier by more than they can close in the time cannot shorten the step.
+double SelfContact::cover(In x, In v) {
+    const double closing = ahead_ * near_drift_.of(v);
+    cover(x, closing);
+    return closing;
 }
 
 void SelfContact::list(In x, double drift) {
-    const double least = std::max(thickness_ / 2, search_.mean_edge() / 16);
-    const double most = std::max(search_.mean_edge() / 6, least);
+    const double least = std::max(thickness_ / 2, search_.mean_edge() / 32);
+    const double most = std::max(search_.mean_edge() / 8, least);
     near_margin_ = std::max(drift, std::clamp(steps_a_list / 2 * drift, least, most));
     if (found_margin_ >= 0) found_used_ = found_drift_.at(x);
     if (!(found_margin_ >= 0 && found_used_ + near_margin_ <= found_margin_)) {
-        found_margin_ = std::max(4 * near_margin_, search_.mean_edge() / 2);
+        // at rest few pairs that are no neighbours are nearer
+        found_margin_ = std::max(2 * near_margin_, search_.mean_edge() / 2 - thickness_);
         found_drift_.begin(x);
         found_used_ = 0;
         search_.find(x, thickness_ + found_margin_, found_);
     }
     near_.clear();
     near_drift_.begin(x);
-    for (const SelfPair& pair : found_)
-        if (nearest_of(pair, points_of(pair, x.data())).distance <
-            layers(pair).barrier.thickness + near_margin_)
-            near_.push_back(pair);
+    for (SelfPair& pair : found_) {
+        const double reach = layers(pair).barrier.thickness + near_margin_;
+        if (separation(pair, x.data()) >= reach || measure(pair, points_of(pair, x.data())).distance >= reach)
+            continue;
+        near_.push_back(pair);
+    }
     ++version_;
+}
+
+Nearest SelfContact::measure(SelfPair& pair, const PairPoints& at) {
+    const Nearest nearest = nearest_of(pair, at);
+    pair.apart = nearest.normal;
+    return nearest;
 }
 
 double SelfContact::energy(In x) {
     cover(x, 0);
     double energy = 0;
-    for (const SelfPair& pair : near_)
-        energy += pair_energy(pair, layers(pair).barrier, points_of(pair, x.data()));
+    for (const SelfPair& pair : near_) {
+        const Barrier& barrier = layers(pair).barrier;
+        if (separation(pair, x.data()) < barrier.thickness)
+            energy += pair_energy(pair, barrier, points_of(pair, x.data()));
+    }
     return energy;
 }
 
 void SelfContact::add_conservative(In x, Out f) {
     cover(x, 0);
-    for (const SelfPair& pair : near_) {
+    for (SelfPair& pair : near_) {
         const Barrier& barrier = layers(pair).barrier;
+        if (separation(pair, x.data()) >= barrier.thickness) continue;
         const PairPoints at = points_of(pair, x.data());
-        const Nearest nearest = nearest_of(pair, at);
+        const Nearest nearest = measure(pair, at);
         if (nearest.distance >= barrier.thickness || nearest.distance == 0) continue;  // caught by add_all
         const Fade fade = fade_of(pair, at);
         const double push = pair.area * fade.part * barrier.pressure(nearest.distance);
@@ -166,15 +182,17 @@ void SelfContact::add_conservative(In x, Out f) {
 }
 
 ObstacleContact::Result SelfContact::add_all(In x, In v, Out f) {
-    cover(x, v);
+    const double closing = cover(x, v);
     touches_.clear();
     ObstacleContact::Result result;
-    for (const SelfPair& pair : near_) {
+    for (SelfPair& pair : near_) {
         const Layers& both = layers(pair);
         const double thickness = both.barrier.thickness;
+        if (separation(pair, x.data()) >= thickness + closing) continue;
         const PairPoints at = points_of(pair, x.data());
-        const Nearest nearest = nearest_of(pair, at);
+        const Nearest nearest = measure(pair, at);
         const double gap = nearest.distance;
+        if (gap >= thickness + closing) continue;
         if (!(gap > 0)) {
             result.crossed = true;
             continue;
@@ -277,7 +295,7 @@ double SelfContact::clear_part(const SelfPair& pair, const PairPoints& at, const
     if (length == 0) return most;
     double gap = nearest_of(pair, at).distance, part = 0;
     if (gap == 0) return 0;
-    const double kept = 0.1 * std::min(gap, layers(pair).barrier.thickness);
+    const double kept = kept_part * std::min(gap, layers(pair).barrier.thickness);
     for (int look = 0; look < most_looks; ++look) {
         part += (gap - kept) / length;
         if (part >= most) return most;
@@ -302,6 +320,8 @@ bool SelfContact::passed_through(In before, In after) {
     if (version_ != prepared_version_ || !(near_drift_.at(after) <= near_margin_))
         cover(before, near_drift_.of(after - before));
     return std::any_of(near_.begin(), near_.end(), [&](const SelfPair& pair) {
+        const double least = kept_part * layers(pair).barrier.thickness;
+        if (separation(pair, before.data()) > least && separation(pair, after.data()) > least) return false;
         const PairPoints at = points_of(pair, before.data());
         return clear_part(pair, at, points_of(pair, after.data()) - at, 1) < 1;
     });

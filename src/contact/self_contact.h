@@ -78,8 +78,10 @@ private:
     double damping_of(const Layers& layers, double stiffness) const;
     // lists pairs that may touch at x, and on a way from there that changes distances by up to `more`
     void cover(In x, double more);
-    void cover(In x, In v);  // ... and within the next step
+    // ... and that may close in within the next step: those nearer than their thickness and what it returns
+    double cover(In x, In v);
     void list(In x, double drift);
+    static Nearest measure(SelfPair& pair, const PairPoints& at);
     void limit_modes(ContactLimits& limits);
     double clear_part(const SelfPair& pair, const PairPoints& at, const PairPoints& way, double most) const;
     template <class Visit>

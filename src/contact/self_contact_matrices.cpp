@@ -23,6 +23,7 @@ void SelfContact::each_press(In x, In v, Visit visit) {
     cover(x, 0);
     for (const SelfPair& pair : near_) {
         const Layers& both = layers(pair);
+        if (separation(pair, x.data()) >= both.barrier.thickness) continue;
         const PairPoints at = points_of(pair, x.data());
         const Nearest nearest = nearest_of(pair, at);
         if (nearest.distance >= both.barrier.thickness || nearest.distance == 0) continue;

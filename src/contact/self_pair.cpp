@@ -87,6 +87,12 @@ Nearest nearest_of(const SelfPair& pair, const PairPoints& x) {
                       : nearest_to_triangle(x.col(0), x.col(1), x.col(2), x.col(3));
 }
 
+double separation(const SelfPair& pair, const double* x) {
+    const auto height = [&](int i) { return pair.apart.dot(Eigen::Map<const Vec3>(x + 3 * pair.vertex[i])); };
+    const double a = height(0), b = height(1), c = height(2), d = height(3);
+    return pair.edges ? std::min(a, b) - std::max(c, d) : a - std::max(b, std::max(c, d));
+}
+
 Fade fade_of(const SelfPair& pair, const PairPoints& x) {
     Fade fade;
     if (!pair.edges) return fade;

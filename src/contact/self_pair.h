@@ -22,8 +22,9 @@ struct SelfPair {
     int vertex[4];  // columns of the State: the vertex, then the triangle; or both ends of either edge
     int layers;     // which two cloths' barrier
     bool edges;
-    double area;    // A [m^2]
-    double fading;  // 0.01 |u0|^2 |v0|^2 of edges [m^4]
+    double area;                // A [m^2]
+    double fading;              // 0.01 |u0|^2 |v0|^2 of edges [m^4]
+    Vec3 apart = Vec3::Zero();  // the normal when the pair was last measured
 };
 
 using PairPoints = Eigen::Matrix<double, 3, 4>;
@@ -31,6 +32,11 @@ using PairMatrix = Eigen::Matrix<double, 12, 12>;
 
 PairPoints points_of(const SelfPair& pair, const double* x);
 Nearest nearest_of(const SelfPair& pair, const PairPoints& x);
+
+// How far the pieces lie apart along pair.apart: no more than their distance, and where that is as long ago
+// as the pair has hardly turned, hardly less. Along straight ways of the vertices it is never less than at
+// both ends.
+double separation(const SelfPair& pair, const double* x);
 
 // How much of the potential there is.
 struct Fade {

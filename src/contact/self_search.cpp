@@ -239,7 +239,9 @@ void SelfSearch::keep_if_near(In x, SelfPair& pair, double reach, std::vector<Se
         }
         if (beside_low - high >= reach || low - beside_high >= reach) return;
     }
-    if (!(nearest_of(pair, points_of(pair, x.data())).distance < reach)) return;
+    const Nearest nearest = nearest_of(pair, points_of(pair, x.data()));
+    if (!(nearest.distance < reach)) return;
+    pair.apart = nearest.normal;
     bool moves = false;
     for (const int v : pair.vertex) moves = moves || inverse_mass_[v] > 0;
     if (!moves) return;

@@ -67,9 +67,27 @@ bool meets_flat(const Vec3& p, const Vec3& q, const Triangle& t) {
     return false;
 }
 
+// Whether a segment is clearly beyond one of the triangle's sides, by far more than rounding can hide: so are
+// most neighbours in a flat sheet, whose exact signs would all have to be taken at length.
+bool is_beside(const Vec3& p, const Vec3& q, const Triangle& t) {
+    constexpr double clear = 1e-13;
+    const Vec3 one = t.corner[1] - t.corner[0], two = t.corner[2] - t.corner[0], normal = one.cross(two);
+    const double area = one.norm() * two.norm();
+    for (int k = 0; k < 3; ++k) {
+        const Vec3& from = t.corner[k];
+        const Vec3 side = t.corner[(k + 1) % 3] - from, out = side.cross(normal);
+        const Vec3 to_p = p - from, to_q = q - from;
+        const double size =
+            clear * side.norm() * area * (to_p.norm() + to_q.norm() + side.norm() + from.norm());
+        if (out.dot(to_p) > size && out.dot(to_q) > size) return true;
+    }
+    return false;
+}
+
 // A segment meets a triangle if its ends lie on either side of the plane, or in it, and the triangle's sides
 // all turn the same way round its line.
 bool meets(const Vec3& p, const Vec3& q, const Triangle& t) {
+    if (is_beside(p, q, t)) return false;
     const int above = orientation(t.corner[0], t.corner[1], t.corner[2], p);
     const int below = orientation(t.corner[0], t.corner[1], t.corner[2], q);
     if (above == 0 && below == 0) return meets_flat(p, q, t);

@@ -2,32 +2,41 @@
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace drape {
 
 namespace {
 
-// A number as a sum of doubles, smallest first, none of which overlap: its sign is that of the last.
-using Sum = std::vector<double>;
+// A number as a sum of doubles, smallest first, none of which overlap: its sign is that of the last. A
+// product of two sums has at most twice the product of their parts: 192 for the largest below.
+class Sum {
+public:
+    const double* begin() const { return part_; }
+    const double* end() const { return part_ + parts_; }
 
-// Adds a double exactly.
-void add(Sum& sum, double value) {
-    size_t kept = 0;
-    for (const double part : sum) {
-        const double total = value + part, shift = total - value;
-        const double rest = (value - (total - shift)) + (part - shift);
-        if (rest != 0) sum[kept++] = rest;
-        value = total;
+    // Adds a double exactly.
+    void add(double value) {
+        int kept = 0;
+        for (int i = 0; i < parts_; ++i) {
+            const double total = value + part_[i], shift = total - value;
+            const double rest = (value - (total - shift)) + (part_[i] - shift);
+            if (rest != 0) part_[kept++] = rest;
+            value = total;
+        }
+        parts_ = kept;
+        if (value != 0) part_[parts_++] = value;
     }
-    sum.resize(kept);
-    if (value != 0) sum.push_back(value);
-}
+    int sign() const { return parts_ == 0 ? 0 : (part_[parts_ - 1] > 0 ? 1 : -1); }
+
+private:
+    double part_[200];
+    int parts_ = 0;
+};
 
 Sum difference(double a, double b) {
     Sum sum;
-    add(sum, a);
-    add(sum, -b);
+    sum.add(a);
+    sum.add(-b);
     return sum;
 }
 
@@ -37,22 +46,18 @@ Sum product(const Sum& a, const Sum& b) {
     for (const double p : a)
         for (const double q : b) {
             const double value = p * q;
-            add(sum, std::fma(p, q, -value));
-            add(sum, value);
+            sum.add(std::fma(p, q, -value));
+            sum.add(value);
         }
     return sum;
 }
 
 void subtract(Sum& from, const Sum& sum) {
-    for (const double part : sum) add(from, -part);
+    for (const double part : sum) from.add(-part);
 }
 
 int sign(double value) {
     return (value > 0) - (value < 0);
-}
-
-int sign(const Sum& sum) {
-    return sum.empty() ? 0 : sign(sum.back());
 }
 
 int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -64,9 +69,9 @@ int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
     for (int k = 0; k < 3; ++k) {
         Sum minor = product(side[0][(k + 1) % 3], side[1][(k + 2) % 3]);
         subtract(minor, product(side[0][(k + 2) % 3], side[1][(k + 1) % 3]));
-        for (const double part : product(minor, side[2][k])) add(determinant, part);
+        for (const double part : product(minor, side[2][k])) determinant.add(part);
     }
-    return sign(determinant);
+    return determinant.sign();
 }
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -93,7 +98,7 @@ int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
     if (std::abs(xy - yx) > bound_in_plane * (std::abs(xy) + std::abs(yx))) return sign(xy - yx);
     Sum determinant = product(difference(b.x(), a.x()), difference(c.y(), a.y()));
     subtract(determinant, product(difference(b.y(), a.y()), difference(c.x(), a.x())));
-    return sign(determinant);
+    return determinant.sign();
 }
 
 }  // namespace drape

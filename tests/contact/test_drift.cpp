@@ -25,9 +25,7 @@ TEST_CASE("drift bounds how much any distance changed and a common motion is non
         return most;
     };
     CHECK(drift.at(x) >= change(x));
-    CHECK(drift.ahead(x, v, 2) >= change(x + 2 * v));
-    CHECK(drift.ahead(x, v, 0) == drift.at(x));
-    CHECK(drift.of(v) > 0);
+    CHECK(drift.at(x) + 2 * drift.of(v) >= change(x + 2 * v));
     // the others do not count
     x.col(0).setConstant(100);
     x.col(4).setConstant(-100);
