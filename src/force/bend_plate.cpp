@@ -7,16 +7,14 @@
 
 #include "base/lanes.h"
 #include "base/wide.h"
-#include "force/plate_fit.h"
+#include "force/edge_slope.h"
+#include "force/plate_element.h"
 
 namespace drape {
 
 namespace {
 
-double rest_area(const Mesh& mesh, int f) {
-    const Vec3 a = mesh.rest.col(mesh.faces(0, f));
-    return (mesh.rest.col(mesh.faces(1, f)) - a).cross(mesh.rest.col(mesh.faces(2, f)) - a).norm() / 2;
-}
+constexpr double round_off = 1e-13;
 
 // the upper triangle of K
 struct Rows {
@@ -72,6 +70,32 @@ DRAPE_WIDE void multiply(const Rows& k, const double* x, double* f) {
     }
 }
 
+// The plate of one triangle, its slopes expressed by vertices.
+void add_triangle(const Cloth& cloth, int t, const std::vector<EdgeSlope>& slopes,
+                  std::vector<std::map<int, double>>& rows) {
+    const Mesh& mesh = cloth.mesh;
+    std::array<Vec3, 3> corner;
+    std::array<bool, 3> free;
+    std::map<int, Eigen::Matrix<double, 6, 1>> share;  // of each vertex in w_0, w_1, w_2, s_0, s_1, s_2
+    const auto of_vertex = [&](int v) -> Eigen::Matrix<double, 6, 1>& {
+        return share.try_emplace(v, Eigen::Matrix<double, 6, 1>::Zero()).first->second;
+    };
+    for (int c = 0; c < 3; ++c) {
+        const int e = cloth.topology.face_edges(c, t);
+        const Edge& edge = cloth.topology.edges[static_cast<size_t>(e)];
+        corner[static_cast<size_t>(c)] = mesh.rest.col(mesh.faces(c, t));
+        of_vertex(mesh.faces(c, t))[c] = 1;
+        free[static_cast<size_t>(c)] = edge.face_count != 2;
+        const EdgeSlope& slope = slopes[static_cast<size_t>(e)];
+        const double outward = edge.face[0] == t ? 1 : -1;
+        for (size_t i = 0; i < slope.vertex.size(); ++i)
+            of_vertex(slope.vertex[i])[3 + c] = outward * slope.weight[static_cast<Eigen::Index>(i)];
+    }
+    const Matrix6 k = plate_stiffness(corner, cloth.fabric.bending, cloth.fabric.poisson, free);
+    for (const auto& [i, of_i] : share)
+        for (const auto& [j, of_j] : share) rows[static_cast<size_t>(i)][j] += of_i.dot(k * of_j);
+}
+
 }  // namespace
 
 double bending_relaxation_time(const Cloth& cloth, double fastest_bend_squared) {
@@ -88,35 +112,40 @@ double bending_relaxation_time(const Cloth& cloth, double fastest_bend_squared) 
     return std::min(2 * fabric.damping / omega, 0.1 * omega_stretch / fastest_bend_squared);
 }
 
-BendPlate::BendPlate(const Cloth& cloth) : first_(cloth.first) {
-    const double nu = cloth.fabric.poisson;
-    std::vector<std::map<int, double>> rows(static_cast<size_t>(cloth.vertices()));
-    for (int t = 0; t < cloth.mesh.triangles(); ++t) {
-        const CurvatureStencil stencil = curvature_stencil(cloth.mesh, cloth.topology, t);
-        incomplete_ += !stencil.complete;
-        const Eigen::VectorXd uu = stencil.weight.row(0), uv = stencil.weight.row(1),
-                              vv = stencil.weight.row(2);
-        const Eigen::MatrixXd k =
-            cloth.fabric.bending * rest_area(cloth.mesh, t) *
-            ((uu + vv) * (uu + vv).transpose() -
-             (1 - nu) * (uu * vv.transpose() + vv * uu.transpose() - 2 * uv * uv.transpose()));
-        for (size_t i = 0; i < stencil.vertex.size(); ++i)
-            for (size_t j = 0; j < stencil.vertex.size(); ++j)
-                rows[static_cast<size_t>(stencil.vertex[i])][stencil.vertex[j]] +=
-                    k(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-    }
-    double fastest_squared = 0;
-    row_.push_back(0);
-    for (size_t i = 0; i < rows.size(); ++i) {
-        double sum = 0;
-        rows[i].try_emplace(static_cast<int>(i), 0.0);  // no row without its diagonal
-        for (const auto& [j, value] : rows[i]) {
-            sum += std::abs(value);
-            if (j < static_cast<int>(i)) continue;
+void BendPlate::keep(const std::vector<std::map<int, double>>& rows) {
+    const auto diagonal = [&](int i) { return rows[static_cast<size_t>(i)].at(i); };
+    std::vector<double> sum(rows.size(), 0.0);
+    for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
+        row_.push_back(static_cast<int>(column_.size()));
+        column_.push_back(i);
+        value_.push_back(0);
+        for (const auto& [j, value] : rows[static_cast<size_t>(i)]) {
+            if (j <= i || std::abs(value) <= round_off * std::min(diagonal(i), diagonal(j))) continue;
             column_.push_back(j);
             value_.push_back(value);
+            sum[static_cast<size_t>(i)] -= value;
+            sum[static_cast<size_t>(j)] -= value;
         }
-        row_.push_back(static_cast<int>(column_.size()));
+    }
+    row_.push_back(static_cast<int>(column_.size()));
+    for (size_t i = 0; i < rows.size(); ++i) value_[static_cast<size_t>(row_[i])] = sum[i];
+}
+
+BendPlate::BendPlate(const Cloth& cloth) : first_(cloth.first) {
+    const Mesh& mesh = cloth.mesh;
+    std::vector<EdgeSlope> slopes;
+    for (const Edge& edge : cloth.topology.edges) {
+        const bool free = edge.face_count != 2;
+        slopes.push_back(free ? EdgeSlope{} : edge_slope(mesh, cloth.topology, edge));
+    }
+    std::vector<std::map<int, double>> rows(static_cast<size_t>(cloth.vertices()));
+    for (int v = 0; v < cloth.vertices(); ++v) rows[static_cast<size_t>(v)][v] = 0;
+    for (int t = 0; t < mesh.triangles(); ++t) add_triangle(cloth, t, slopes, rows);
+    keep(rows);
+    double fastest_squared = 0;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        double sum = 0;
+        for (const auto& [j, value] : rows[i]) sum += std::abs(value);
         fastest_squared = std::max(fastest_squared, sum / cloth.mass[static_cast<Eigen::Index>(i)]);
     }
     tau_ = bending_relaxation_time(cloth, fastest_squared);

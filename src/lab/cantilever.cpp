@@ -70,17 +70,23 @@ Mesh irregular(const StripSize& size, double share) {
 }  // namespace
 
 Mesh clamped_strip(std::string_view mesh, const StripSize& size) {
-    if (mesh == "pseudo_random") return irregular(size, 1);
-    if (mesh == "adaptive") return irregular(size, fine_share);
-    if (mesh == "equilateral") return in_rows(size);
-    return on_grid(mesh, size);
+    const double share = mesh == "adaptive" ? fine_share : 1;
+    StripSize beyond = size;  // from the held row's far side on
+    beyond.length /= 1 + 1 / ((1 + share) * size.divisions);
+    const double held = beyond.length / size.divisions * 2 / (1 + share);
+    Mesh strip = mesh == "adaptive" || mesh == "pseudo_random" ? irregular(beyond, share)
+                 : mesh == "equilateral"                       ? in_rows(beyond)
+                                                               : on_grid(mesh, beyond);
+    strip.rest.row(0).array() += held / 2;
+    return strip;
 }
 
 HangingTip bend_strip(const Mesh& strip, const Fabric& fabric, double gravity) {
     Model model = free_cloth(strip, fabric);
     std::vector<int> clamped;
+    const double held = -strip.rest.row(0).minCoeff() * (1 + 1e-9);
     for (int v = 0; v < strip.vertices(); ++v)
-        if (strip.rest(0, v) <= 0) clamped.push_back(v);
+        if (strip.rest(0, v) <= held) clamped.push_back(v);
     hold_at_rest(model, clamped);
     const Equilibrium rest = come_to_rest(model, {0, -gravity, 0}, strip.rest);
     HangingTip tip;

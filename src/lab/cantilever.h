@@ -15,8 +15,10 @@ struct StripSize {
     std::uint64_t seed = 1;
 };
 
-// Along x, its clamp at x = 0 and a row of triangles in it. `alternating`, `one_way`: a grid; `equilateral`;
-// `pseudo_random`; `adaptive`: the same, twice as fine at the clamp, where it bends most, as at the tip.
+// Along x, clamped at x = 0, which is the middle of a row of triangles that are held: the edge at their far
+// side bends with what hangs there, half as much as it would inside. `alternating`, `one_way`: a grid;
+// `equilateral`; `pseudo_random`; `adaptive`: the same, twice as fine at the clamp, where it bends most, as
+// at the tip.
 Mesh clamped_strip(std::string_view mesh, const StripSize& size);
 
 struct HangingTip {

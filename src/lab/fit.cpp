@@ -140,7 +140,8 @@ LabResult run_fit(const FitRequest& request) {
         "times the "
         "bending length's cube the rigidity. A sheet of springs, cut by alternating diagonals, is not quite "
         "as stiff "
-        "along warp as its fabric says, and bends more easily: both constants are set so that a virtual "
+        "along warp as its fabric says, and a narrow strip not as one across: both constants are set so that "
+        "a virtual "
         "sheet and a "
         "virtual cantilever measure what was asked.",
         cat("Cloth stiffens as it is pulled and springs do not: the curve is off the line by ",

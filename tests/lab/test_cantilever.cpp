@@ -34,29 +34,35 @@ TEST_CASE("the heavy cantilever's tip hangs as tables of the elastica have it", 
     }
 }
 
-TEST_CASE("a clamped strip has its clamp at 0 and its free length beyond on every mesh", "[lab]") {
-    for (const char* name : {"alternating", "one_way", "pseudo_random", "adaptive"}) {
+TEST_CASE("a clamped strip has its clamp at the middle of what is held on every mesh", "[lab]") {
+    for (const char* name : {"alternating", "one_way", "equilateral", "pseudo_random", "adaptive"}) {
         CAPTURE(name);
         const StripSize size{0.2, 0.03, 16};
         const Mesh mesh = clamped_strip(name, size);
-        int at_clamp = 0;
-        for (int v = 0; v < mesh.vertices(); ++v) at_clamp += mesh.rest(0, v) == 0;
-        CHECK(at_clamp >= 3);
+        const double held = -mesh.rest.row(0).minCoeff();
+        CHECK(held > 0);
+        int at_its_end = 0, between = 0;
+        for (int v = 0; v < mesh.vertices(); ++v) {
+            at_its_end += std::abs(mesh.rest(0, v) - held) < 1e-12;
+            between += std::abs(mesh.rest(0, v)) < 0.999 * held;
+        }
+        CHECK(at_its_end >= 3);
+        CHECK(between == 0);
         CHECK(mesh.rest.row(0).maxCoeff() == Approx(0.2));
-        CHECK(mesh.rest.row(0).minCoeff() < 0);
-        CHECK(mesh.rest.row(2).cwiseAbs().maxCoeff() == Approx(0.015));
     }
 }
 
-TEST_CASE("a strip of one_way triangles with plates hangs as the elastica does", "[lab]") {
+TEST_CASE("a strip of plates hangs as the elastica does on every mesh", "[lab]") {
     const StripSize size{0.2, 0.025, 32};
-    for (const double load : {1.0, 10.0}) {
-        const HangingTip tip =
-            bend_strip(clamped_strip("one_way", size), bending(BendingKind::plate, load, size), 9.81);
-        CAPTURE(load);
-        CHECK(tip.at_rest);
-        // measured: 2.3 and 2.5 % too far; half of it on a mesh twice as fine
-        CHECK(tip.slope() == Approx(heavy_cantilever(load).slope()).epsilon(0.03));
+    for (const char* mesh : {"alternating", "one_way", "equilateral", "pseudo_random", "adaptive"}) {
+        for (const double load : {1.0, 10.0}) {
+            CAPTURE(mesh, load);
+            const HangingTip tip =
+                bend_strip(clamped_strip(mesh, size), bending(BendingKind::plate, load, size), 9.81);
+            CHECK(tip.at_rest);
+            // measured: within 0.06 %
+            CHECK(tip.slope() == Approx(heavy_cantilever(load).slope()).epsilon(1e-3));
+        }
     }
 }
 
