@@ -25,7 +25,7 @@ enum class AltitudeMode { none, all, shortest, compressed, blend };
 //   neo_hookean  resists compression to the end
 enum class MembraneKind { none, stvk, neo_hookean };
 
-//   plate   quadratic fit over a triangle and its neighbours; exact for quadratic surfaces on every mesh
+//   plate   Morley's triangles; exact for quadratic surfaces on every mesh
 //   hinge   dihedral angle against its rest angle, per inner edge
 //   spring  a plain spring between the corners opposite an inner edge
 enum class BendingKind { none, plate, hinge, spring };

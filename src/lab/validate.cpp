@@ -131,7 +131,7 @@ LabFigure refinement_figure(const std::vector<Strip>& strips) {
             "set xlabel 'edges along the strip'\nset ylabel 'off [%]'\n"};
     for (size_t kind = 0; kind < kinds.size(); ++kind) {
         figure.plot += cat("set title '", kinds[kind].name, "' font ',13' offset 0,-0.4\n",
-                           kind > 0 ? "set ylabel ''\nset key top right\n" : "unset key\n");
+                           kind > 0 ? "set ylabel ''\nunset key\n" : "set key top right\n");
         std::string plot = "plot 0 with lines lc rgb '#999999' dt (4,4) notitle";
         for (size_t mesh = 0; mesh < meshes.size(); ++mesh) {
             const std::string name = cat("k", kind, "_", mesh);
