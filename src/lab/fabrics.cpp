@@ -20,11 +20,6 @@ namespace {
 constexpr double edge = 0.008;  // of the draped discs' triangles [m]
 constexpr double earth = 9.80665;
 
-struct Measured {
-    FabricMeasures own;
-    std::optional<double> tested_drape;  // with bending as cantilever tests have it
-};
-
 std::string percent(double share) {
     return figure(100 * share, 3);
 }
@@ -78,7 +73,7 @@ std::string disc_objects(const CusickDrape& disc) {
     return all;
 }
 
-LabFigure disc_figure(const std::vector<Measured>& all) {
+LabFigure disc_figure(const std::vector<FabricMeasures>& all) {
     const int columns = std::min<int>(3, static_cast<int>(all.size()));
     PanelGrid grid{columns, (static_cast<int>(all.size()) + columns - 1) / columns, 250, 250};
     grid.left = grid.right = 20, grid.across = 16, grid.down = 34, grid.top = 84, grid.bottom = 20;
@@ -91,111 +86,93 @@ LabFigure disc_figure(const std::vector<Measured>& all) {
         grid.begin("Cusick's drape test") +
             "unset border\nunset tics\nunset key\nset parametric\nset trange [0:2*pi]\nset samples 120\n"
             "set xrange [-155:155]\nset yrange [-155:155]\n"};
-    for (const Measured& one : all)
+    for (const FabricMeasures& one : all)
         figure.plot +=
-            cat("set title ", plot_quoted(cat(one.own.name, ", ", percent(one.own.drape.coefficient), " %")),
-                " noenhanced font ',13' offset 0,-0.5\n", disc_objects(one.own.drape),
+            cat("set title ", plot_quoted(cat(one.name, ", ", percent(one.drape.coefficient), " %")),
+                " noenhanced font ',13' offset 0,-0.5\n", disc_objects(one.drape),
                 "plot 150*cos(t),150*sin(t) with lines lc rgb '#999999' dt (3,3), 90*cos(t),90*sin(t) with "
                 "lines lc rgb '#ffffff' dt (3,3)\nunset object\n");
     figure.plot += "unset multiplot\n";
     return figure;
 }
 
-LabFigure bending_figure(const std::vector<Measured>& all) {
+LabFigure bending_figure(const std::vector<FabricMeasures>& all) {
     PanelGrid grid{1, 1, 620, 340};
-    LabFigure figure{
-        "fabric_bending",
-        "Drape coefficient against bending length. Bars: bands usually quoted. Rings: the same cloth with "
-        "the bending that cantilever tests of its weight find.",
-        grid.width(),
-        grid.height(),
-        "",
-        grid.begin("What bends easily drapes") + plain_panel() +
-            "set xlabel 'bending length (B / w)^{1/3} [mm]'\n"
-            "set logscale x\nset xtics (5,7,10,14,20,28,40,80,160)\n"
-            "set ylabel 'drape coefficient [%]'\nset yrange [0:105]\nset xrange [5:230]\n"};
-    std::string own = "$own << EOD\n", bars = "$bars << EOD\n", tested = "$tested << EOD\n", ways;
-    int arrow = 0;
-    for (const Measured& one : all) {
-        const double weight = one.own.fabric.density * earth;
-        const double c = 1e3 * std::cbrt(one.own.fabric.bending / weight);
-        own += cat(drape::figure(c, 5), " ", 100 * one.own.drape.coefficient, " \"", one.own.name, "\"\n");
-        if (const auto band = drape_band(one.own.name))
+    LabFigure figure{"fabric_bending",
+                     "Drape coefficient against bending length. Bars: bands usually quoted.",
+                     grid.width(),
+                     grid.height(),
+                     "",
+                     grid.begin("What bends easily drapes") + plain_panel() +
+                         "set xlabel 'bending length (B / w)^{1/3} [mm]'\n"
+                         "set logscale x\nset xtics (5,7,10,14,20,28,40,80,160)\n"
+                         "set ylabel 'drape coefficient [%]'\nset yrange [0:105]\nset xrange [5:230]\n"};
+    std::string own = "$own << EOD\n", bars = "$bars << EOD\n";
+    for (const FabricMeasures& one : all) {
+        const double weight = one.fabric.density * earth;
+        const double c = 1e3 * std::cbrt(one.fabric.bending / weight);
+        own += cat(drape::figure(c, 5), " ", 100 * one.drape.coefficient, " \"", one.name, "\"\n");
+        if (const auto band = drape_band(one.name))
             bars +=
                 cat(drape::figure(c, 5), " ", 100 * band->least, " ", 100 * (band->most - band->least), "\n");
-        if (one.tested_drape) {
-            const double other = 1e3 * std::cbrt(*tested_bending(one.own.name) / weight);
-            tested += cat(drape::figure(other, 5), " ", 100 * *one.tested_drape, "\n");
-            ways += cat("set arrow ", ++arrow, " from ", drape::figure(c, 5), ",",
-                        100 * one.own.drape.coefficient, " to ", drape::figure(other, 5), ",",
-                        100 * *one.tested_drape, " nohead lc rgb '#999999' dt (3,3)\n");
-        }
     }
-    figure.data = own + "EOD\n" + bars + "EOD\n" + tested + "EOD\n";
-    figure.plot += ways;
+    figure.data = own + "EOD\n" + bars + "EOD\n";
     std::string plot;
     const auto add = [&](const std::string& block, const std::string& text) {
         if (block.find('\n') != block.rfind('\n')) plot += (plot.empty() ? "plot " : ", ") + text;
     };
     add(bars, cat("$bars using 1:2:(0):3 with vectors nohead lw 6 lc rgb '#d5d5d5' notitle"));
-    add(tested, cat("$tested using 1:2 with points pt 6 ps 1.4 lw 2 lc rgb '", plot_colour(1), "' notitle"));
     add(own, cat("$own using 1:2 with points pt 7 ps 1.2 lc rgb '", plot_colour(0),
                  "' notitle, $own using 1:2:3 with labels left offset 1,-0.4 font ',11' noenhanced notitle"));
     figure.plot += plot + "\nunset multiplot\n";
     return figure;
 }
 
-LabTable drape_table(const std::vector<Measured>& all) {
-    LabTable table{
-        {"fabric", "drape coefficient [%]", "band [%]", "verdict", "with tested bending [%]", "folds"},
-        {},
-        1};
-    for (const Measured& one : all) {
-        const auto band = drape_band(one.own.name);
-        table.rows.push_back({one.own.name, percent(one.own.drape.coefficient),
+LabTable drape_table(const std::vector<FabricMeasures>& all) {
+    LabTable table{{"fabric", "drape coefficient [%]", "band [%]", "verdict", "folds"}, {}, 1};
+    for (const FabricMeasures& one : all) {
+        const auto band = drape_band(one.name);
+        table.rows.push_back({one.name, percent(one.drape.coefficient),
                               band ? cat(percent(band->least), " to ", percent(band->most)) : "-",
-                              band ? verdict(one.own.drape.coefficient, *band) : "-",
-                              one.tested_drape ? percent(*one.tested_drape) : "-", cat(one.own.drape.folds)});
+                              band ? verdict(one.drape.coefficient, *band) : "-", cat(one.drape.folds)});
     }
     return table;
 }
 
-LabTable strip_table(const std::vector<Measured>& all) {
+LabTable strip_table(const std::vector<FabricMeasures>& all) {
     LabTable table{{"fabric", "weight [g/m\u00b2]", "bending length [mm]", "rigidity [\u00b5N m]",
                     "asked [\u00b5N m]", "stretch along warp [%]", "weft [%]", "bias [%]"},
                    {},
                    1};
-    for (const Measured& one : all)
-        table.rows.push_back(
-            {one.own.name, figure(1e3 * one.own.fabric.density, 3), figure(1e3 * one.own.bending.length, 3),
-             figure(1e6 * one.own.bending.rigidity, 3), figure(1e6 * one.own.fabric.bending, 3),
-             percent(one.own.warp), percent(one.own.weft), percent(one.own.bias)});
+    for (const FabricMeasures& one : all)
+        table.rows.push_back({one.name, figure(1e3 * one.fabric.density, 3),
+                              figure(1e3 * one.bending.length, 3), figure(1e6 * one.bending.rigidity, 3),
+                              figure(1e6 * one.fabric.bending, 3), percent(one.warp), percent(one.weft),
+                              percent(one.bias)});
     return table;
 }
 
-std::string measures_csv(const std::vector<Measured>& all) {
+std::string measures_csv(const std::vector<FabricMeasures>& all) {
     std::string text =
         "fabric,weight_kg_per_m2,bending_length_m,bending_rigidity_n_m,bending_asked_n_m,warp_strain,weft_"
         "strain,"
-        "bias_strain,drape_coefficient,folds,with_tested_bending\n";
-    for (const Measured& one : all)
-        text += cat(one.own.name, ",", csv_number(one.own.fabric.density), ",",
-                    csv_number(one.own.bending.length), ",", csv_number(one.own.bending.rigidity), ",",
-                    csv_number(one.own.fabric.bending), ",", csv_number(one.own.warp), ",",
-                    csv_number(one.own.weft), ",", csv_number(one.own.bias), ",",
-                    csv_number(one.own.drape.coefficient), ",", one.own.drape.folds, ",",
-                    one.tested_drape ? csv_number(*one.tested_drape) : "", "\n");
+        "bias_strain,drape_coefficient,folds\n";
+    for (const FabricMeasures& one : all)
+        text += cat(one.name, ",", csv_number(one.fabric.density), ",", csv_number(one.bending.length), ",",
+                    csv_number(one.bending.rigidity), ",", csv_number(one.fabric.bending), ",",
+                    csv_number(one.warp), ",", csv_number(one.weft), ",", csv_number(one.bias), ",",
+                    csv_number(one.drape.coefficient), ",", one.drape.folds, "\n");
     return text;
 }
 
-std::string claim_of(const std::vector<Measured>& all) {
+std::string claim_of(const std::vector<FabricMeasures>& all) {
     std::string text;
-    for (const Measured& one : all) {
-        text += cat(text.empty() ? "drape coefficients: " : ", ", one.own.name, " ",
-                    percent(one.own.drape.coefficient), " %");
-        if (const auto band = drape_band(one.own.name))
+    for (const FabricMeasures& one : all) {
+        text += cat(text.empty() ? "drape coefficients: " : ", ", one.name, " ",
+                    percent(one.drape.coefficient), " %");
+        if (const auto band = drape_band(one.name))
             text += cat(" (", percent(band->least), " to ", percent(band->most), ": ",
-                        verdict(one.own.drape.coefficient, *band), ")");
+                        verdict(one.drape.coefficient, *band), ")");
     }
     return text;
 }
@@ -203,17 +180,11 @@ std::string claim_of(const std::vector<Measured>& all) {
 }  // namespace
 
 LabResult measure_fabrics(std::span<const std::string> names) {
-    std::vector<Measured> all;
+    std::vector<FabricMeasures> all;
     for (const std::string& name : names) fabric_preset(name);
     for (const FabricPreset& preset : fabric_presets()) {
         if (!names.empty() && std::find(names.begin(), names.end(), preset.name) == names.end()) continue;
-        Measured one{measure_fabric(preset.name, preset.fabric, edge), std::nullopt};
-        if (const auto bending = tested_bending(preset.name)) {
-            Fabric other = preset.fabric;
-            other.bending = *bending;
-            one.tested_drape = drape_disc(other, edge).coefficient;
-        }
-        all.push_back(std::move(one));
+        all.push_back(measure_fabric(preset.name, preset.fabric, edge));
     }
     LabResult result;
     result.claim = claim_of(all);
@@ -228,19 +199,17 @@ LabResult measure_fabrics(std::span<const std::string> names) {
         "the "
         "share of the overhanging ring that its shadow covers. Triangles are 8 mm wide, which is too coarse "
         "for "
-        "folds of cloth whose bending length is no more than that: wool_lycra, polyester.",
+        "folds of cloth whose bending length is no more than that: wool_lycra.",
         "drape's fabrics have one modulus for all directions, so the figures along warp, weft and bias "
         "differ only "
         "by what the mesh does; woven cloth gives way on the bias several times as easily. The stretch is "
         "that of "
         "the stiffness at rest.",
-        "cotton, wool, wool_lycra and polyester are a published table whose bending is that of a plate with "
-        "the "
-        "tensile modulus. Cantilever tests of cloth of their weight (Feng and others, 2022: 618 fabrics) "
-        "find four to "
-        "thirteen times as much; with the median of those the same cloth drapes as the rings show. silk, "
-        "denim and "
-        "canvas take their bending from those tests.",
+        "cotton, wool, silk, denim, canvas and polyester take their bending from cantilever tests of cloth "
+        "of their "
+        "weight (Feng and others, 2022: 618 fabrics). That of a plate with the tensile modulus, as "
+        "wool_lycra "
+        "has it, would be four to thirteen times less: cotton would drape to half the coefficient.",
         "The strip's rigidity comes out a little below the one asked for, as it does of real cloth: a strip "
         "curves across where it bends along, and a narrow one has 1 - nu^2 of a wide one's rigidity, nu "
         "Poisson's ratio."};

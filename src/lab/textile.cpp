@@ -14,13 +14,6 @@ namespace {
 constexpr std::array bands{DrapeBand{"silk", 0.2, 0.4}, DrapeBand{"cotton", 0.6, 0.76},
                            DrapeBand{"wool", 0.4, 0.7}, DrapeBand{"denim", 0.7, 0.9}};
 
-struct Tested {
-    std::string_view fabric;
-    double bending;  // [N m]
-};
-// of 47, 82 and 79 fabrics of 0.13 to 0.17, 0.21 to 0.26 and 0.14 to 0.19 kg/m^2
-constexpr std::array tested{Tested{"cotton", 9.51e-6}, Tested{"wool", 17.8e-6}, Tested{"polyester", 9.96e-6}};
-
 constexpr int divisions = 24;  // of the sheet that is pulled
 
 }  // namespace
@@ -39,12 +32,6 @@ FabricMeasures measure_fabric(std::string_view name, const Fabric& fabric, doubl
 std::optional<DrapeBand> drape_band(std::string_view fabric) {
     for (const DrapeBand& band : bands)
         if (band.fabric == fabric) return band;
-    return std::nullopt;
-}
-
-std::optional<double> tested_bending(std::string_view fabric) {
-    for (const Tested& row : tested)
-        if (row.fabric == fabric) return row.bending;
     return std::nullopt;
 }
 

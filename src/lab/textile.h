@@ -29,8 +29,4 @@ struct DrapeBand {
 };
 std::optional<DrapeBand> drape_band(std::string_view fabric);
 
-// The median bending rigidity of fabrics of about this weight in the cantilever tests of Feng et al. (2022),
-// for presets whose own was computed from a modulus [N m].
-std::optional<double> tested_bending(std::string_view fabric);
-
 }  // namespace drape
