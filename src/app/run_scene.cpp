@@ -13,6 +13,7 @@
 #include "app/replay.h"
 #include "app/resume.h"
 #include "app/run_caches.h"
+#include "app/run_pictures.h"
 #include "app/verbs.h"
 #include "app/verification.h"
 #include "app/version.h"
@@ -22,11 +23,6 @@
 #include "scene/builder.h"
 #include "scene/predicted_memory.h"
 #include "toml/value.h"
-#ifdef DRAPE_WITH_RENDER
-#include "app/frame_video.h"
-#include "app/picture_line.h"
-#include "app/picture_maker.h"
-#endif
 
 namespace drape {
 
@@ -61,12 +57,10 @@ private:
     bool keep_going(double& unsaved);
     void demand_what_was_asked() const;
     void prepare_folder();
-    void prepare_pictures();
     void resume();
     void verify(const FrameReport& frame);
     void verify_pictures(bool all);
     void add_output_stages();
-    void draw_frame(int frame);
     std::vector<std::string> picture_hashes();
     SolverWork solver_work() const;
     void save_checkpoint();
@@ -85,10 +79,7 @@ private:
     std::vector<std::string> replayed_hashes_;  // of every frame
     std::optional<Verification> verification_;
     std::optional<RunCaches> caches_;
-#ifdef DRAPE_WITH_RENDER
-    std::unique_ptr<FrameVideo> video_;
-    std::unique_ptr<PictureLine> pictures_;  // ends before what it draws, and what it hands on to
-#endif
+    std::unique_ptr<RunPictures> pictures_;  // ends before what it draws
 };
 
 Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(options)) {
@@ -119,7 +110,11 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
     report_.plan = simulation.plan();
     report_.start = simulation.energies();
     if (!options.verify_hashes.empty()) verification_.emplace(options.verify_hashes, scene_.name, drawn_[1]);
-    if (options.pictures) prepare_pictures();
+#ifdef DRAPE_WITH_RENDER
+    // the room the cloth moves in is judged from its start, wherever a resumed run goes on
+    if (options.pictures)
+        pictures_ = make_run_pictures(scene_, *delivery_, options, out_, drawn_, threads_of(options));
+#endif
     prepare_folder();
     const Points start = delivery_->state().x;
     if (options.resume) resume();  // ends the simulation there was
@@ -206,24 +201,6 @@ void Run::prepare_folder() {
     }
 }
 
-void Run::prepare_pictures() {
-#ifdef DRAPE_WITH_RENDER
-    PictureLine::TakeInOrder take_in_order;
-    if (!options_.video.empty()) {
-        const fs::path path(options_.video);
-        if (path.has_parent_path()) make_folder(path.parent_path().string());
-        remove_leftovers(path.has_parent_path() ? path.parent_path().string() : ".",
-                         path.filename().string());
-        const Canvas canvas{scene_.look.size[0], scene_.look.size[1], scene_.frame_rate};
-        video_ = std::make_unique<FrameVideo>(options_.video, out_, drawn_[0], drawn_[1], canvas);
-        take_in_order = [this](int frame, const Image& picture) { video_->add(frame, picture); };
-    }
-    // the room the cloth moves in is judged from its start, wherever a resumed run goes on
-    pictures_ = std::make_unique<PictureLine>(drawn_scene(scene_, delivery_->simulation()), out_,
-                                              threads_of(options_), take_in_order);
-#endif
-}
-
 // Goes on from the folder's checkpoint if it is one of this scene; otherwise from the start, and says so.
 void Run::resume() {
     auto found = checkpoint_to_go_on_from(out_, identity_, options_, report_.notes);
@@ -252,39 +229,23 @@ void Run::resume() {
     }
 }
 
-void Run::draw_frame([[maybe_unused]] int frame) {
-#ifdef DRAPE_WITH_RENDER
-    if (!options_.pictures || frame < drawn_[0]) return;
-    pictures_->add(frame, frame_input(scene_.look.overlay, delivery_->simulation(), delivery_->state(),
-                                      delivery_->vertex_error()));
-#endif
-}
-
 std::vector<std::string> Run::picture_hashes() {
     std::vector<std::string> all = pictures_before_;
-#ifdef DRAPE_WITH_RENDER
-    if (pictures_) {
-        const std::vector<std::string> drawn = pictures_->hashes();
-        for (size_t k = all.size(); k < drawn.size(); ++k) all.push_back(drawn[k]);
-    }
-#endif
+    const std::vector<std::string> drawn = pictures_ ? pictures_->hashes() : std::vector<std::string>();
+    for (size_t k = all.size(); k < drawn.size(); ++k) all.push_back(drawn[k]);
     return all;
 }
 
 // The first frame that differs is named, though its picture may be written long after it was simulated.
-void Run::verify_pictures([[maybe_unused]] bool all) {
+void Run::verify_pictures(bool all) {
     if (!verification_) return;
-#ifdef DRAPE_WITH_RENDER
     if (pictures_ && all) pictures_->drain();
-#endif
     verification_->pictures(picture_hashes());
 }
 
 // Pictures of the frames that a resumed run takes for done are written before.
 void Run::save_checkpoint() {
-#ifdef DRAPE_WITH_RENDER
     if (pictures_) pictures_->drain();
-#endif
     const ThreadCpuScope timer(report_.times.write);
     if (caches_) caches_->flush();
     Checkpoint checkpoint = identity_;
@@ -304,19 +265,7 @@ SolverWork Run::solver_work() const {
 }
 
 void Run::finish(bool complete) {
-#ifdef DRAPE_WITH_RENDER
-    if (pictures_) {
-        pictures_->drain();
-        report_.times.render = pictures_->times().render;
-        report_.times.encode = pictures_->times().encode;
-        report_.times.write += pictures_->times().write;
-        report_.renderer = pictures_->renderer();
-    }
-    if (video_ && complete) {
-        video_->finish();
-        report_.times.video = video_->cpu_seconds();
-    }
-#endif
+    if (pictures_) pictures_->finish(complete, report_);
     if (caches_) caches_->finish();
     add_output_stages();
     const Simulation& simulation = delivery_->simulation();
@@ -375,7 +324,7 @@ void Run::deliver(const FrameReport& frame) {
     report_.frames.push_back(frame);
     compare_with_replayed(frame);
     verify(frame);
-    draw_frame(frame.index);
+    if (pictures_) pictures_->add(frame.index, *delivery_);
     if (caches_) caches_->add(delivery_->state().x);
 }
 
