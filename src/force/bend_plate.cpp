@@ -24,11 +24,14 @@ struct Rows {
     int count;
 };
 
+// Rows of K sum to 0, so (K x)_i = sum_j K_ij (x_j - x_i): what moves as one feels nothing, to the last bit
+// and far from the origin, and what i feels j feels the other way.
+
 // f -= K (x + tau v) for one cloth; returns v' K v
 DRAPE_WIDE double multiply(const Rows& k, const double* x, const double* v, double tau, double* f) {
     Lanes heat = {};
     for (int i = 0; i < k.count; ++i) {
-        Lanes own_x, own_v, sum, kx = {}, kv = {};
+        Lanes own_x, own_v, sum, pull = {}, kv = {};
         load(own_x, x + 4 * i);
         load(own_v, v + 4 * i);
         const Lanes ahead = own_x + tau * own_v;
@@ -39,14 +42,14 @@ DRAPE_WIDE double multiply(const Rows& k, const double* x, const double* v, doub
             load(p, x + at);
             load(q, v + at);
             load(sum, f + at);
-            kx += value * p;
+            const Lanes apart = value * (p + tau * q - ahead);
+            pull += apart;
             kv += value * q;
-            store(sum - value * ahead, f + at);
+            store(sum + apart, f + at);
         }
-        const Lanes diagonal = k.value[k.start[i]] * own_v;
         load(sum, f + 4 * i);
-        store(sum - (k.value[k.start[i]] * own_x + kx + tau * (diagonal + kv)), f + 4 * i);
-        heat += own_v * (diagonal + 2 * kv);
+        store(sum - pull, f + 4 * i);
+        heat += own_v * (k.value[k.start[i]] * own_v + 2 * kv);
     }
     return lane_sum(heat);
 }
@@ -54,19 +57,19 @@ DRAPE_WIDE double multiply(const Rows& k, const double* x, const double* v, doub
 // f -= K x
 DRAPE_WIDE void multiply(const Rows& k, const double* x, double* f) {
     for (int i = 0; i < k.count; ++i) {
-        Lanes own, sum, kx = {};
+        Lanes own, sum, pull = {};
         load(own, x + 4 * i);
         for (int j = k.start[i] + 1; j < k.start[i + 1]; ++j) {
-            const double value = k.value[j];
             const long at = 4 * static_cast<long>(k.column[j]);
             Lanes p;
             load(p, x + at);
             load(sum, f + at);
-            kx += value * p;
-            store(sum - value * own, f + at);
+            const Lanes apart = k.value[j] * (p - own);
+            pull += apart;
+            store(sum + apart, f + at);
         }
         load(sum, f + 4 * i);
-        store(sum - (k.value[k.start[i]] * own + kx), f + 4 * i);
+        store(sum - pull, f + 4 * i);
     }
 }
 
@@ -159,8 +162,7 @@ void BendPlate::each_entry(Visit visit) const {
                   value_[static_cast<size_t>(k)]);
 }
 
-// A shift costs nothing, so rows of K sum to 0 and x' K x = -sum_(i<j) K_ij |x_i - x_j|^2: no large terms
-// that cancel far from the origin.
+// x' K x = -sum_(i<j) K_ij |x_i - x_j|^2, by the same rule
 double BendPlate::energy(In x) const {
     double energy = 0;
     each_entry(
