@@ -1,5 +1,6 @@
 #include "scene/overrides.h"
 
+#include <array>
 #include <charconv>
 
 #include "base/error.h"
@@ -52,6 +53,29 @@ Value parse_value(const std::string& text, const Place& place) {
     fail(place, in_quotes(text), " is not a TOML value");
 }
 
+// Values that a scene may write in short, and the key that the short form stands for.
+struct ShortForm {
+    std::string_view key, stands_for;
+};
+constexpr std::array short_forms{ShortForm{"fabric", "preset"}, ShortForm{"altitude", "mode"},
+                                 ShortForm{"membrane", "kind"}, ShortForm{"bending", "value"}};
+
+// fabric = "silk" as fabric = { preset = "silk" }, so that another key can join it
+void write_in_full(Value& value) {
+    for (const ShortForm& form : short_forms) {
+        if (value.key != form.key || value.kind == Value::Kind::table) continue;
+        Value full;
+        full.kind = Value::Kind::table;
+        full.key = value.key;
+        full.place = value.place;
+        full.key_place = value.key_place;
+        value.key = form.stands_for;
+        full.items.push_back(std::move(value));
+        value = std::move(full);
+        return;
+    }
+}
+
 // the item of `parent` that `part` names: an element that is there, or a key, made if it is missing
 Value& item_of(Value& parent, const std::string& part, const Place& place) {
     if (parent.kind == Value::Kind::array) {
@@ -62,6 +86,7 @@ Value& item_of(Value& parent, const std::string& part, const Place& place) {
                  " (they count from 0)");
         return parent.items[index];
     }
+    write_in_full(parent);
     if (parent.kind != Value::Kind::table)
         fail(place, "no key ", in_quotes(part), " in ", description_of(parent), ", which is not a table");
     if (Value* item = parent.find(part)) return *item;

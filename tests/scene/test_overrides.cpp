@@ -28,6 +28,22 @@ TEST_CASE("an override by --set changes a key that is there and makes one that i
     CHECK(scene_of("schema = 1\n", {"cloth=[{ pattern = {} }]"}).cloths.size() == 1);
 }
 
+TEST_CASE("an override by --set reaches into what the scene writes in short", "[scene]") {
+    const Fabric wool = scene_of(scene, {}).cloths[0].fabric;
+    const auto light = scene_of(scene, {"cloth.0.fabric.density=0.1"}).cloths[0];
+    CHECK(light.fabric_name == "wool");
+    CHECK(light.fabric.density == 0.1);
+    CHECK(light.fabric.stretch == wool.stretch);
+    const Fabric bent = scene_of(scene, {"cloth.0.fabric.bending=1e-3", "cloth.0.fabric.bending.poisson=0.1",
+                                         "cloth.0.fabric.altitude=all", "cloth.0.fabric.altitude.ratio=2"})
+                            .cloths[0]
+                            .fabric;
+    CHECK(bent.bending == 1e-3);
+    CHECK(bent.poisson == 0.1);
+    CHECK(bent.altitude == AltitudeMode::all);
+    CHECK(bent.altitude_ratio == 2);
+}
+
 TEST_CASE("an override by --set that goes wrong says so with its own words as the place", "[scene]") {
     CHECK(
         error_of(scene, {"scene.durration=2"}) ==
@@ -43,8 +59,10 @@ TEST_CASE("an override by --set that goes wrong says so with its own words as th
           "--set cloth.1.fabric=wool: no element \"1\" in an array of 1 (they count from 0)");
     CHECK(error_of(scene, {"cloth.fabric=wool"}) ==
           "--set cloth.fabric=wool: no element \"fabric\" in an array of 1 (they count from 0)");
-    CHECK(error_of(scene, {"cloth.0.fabric.density=1"}) ==
-          "--set cloth.0.fabric.density=1: no key \"density\" in the text \"wool\", which is not a table");
+    CHECK(error_of(scene, {"schema.s=1"}) ==
+          "--set schema.s=1: no key \"s\" in the integer 1, which is not a table");
+    CHECK(error_of(scene, {"cloth.0.fabric.densty=1"}).find("did you mean \"density\"?") !=
+          std::string::npos);
     CHECK(error_of(scene, {"cloth.0.fabric={ preset = 1 }"}) ==
           "--set cloth.0.fabric={ preset = 1 }: fabric: expected a text, found the integer 1");
 }
