@@ -14,12 +14,17 @@
 // alternating diagonals.) Border edges are free: no moment acts across them.
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "force/padded_force.h"
 
 namespace drape {
+
+// Of each row of a symmetric matrix the diagonal and what follows it, vertices numbered within the cloth.
+struct UpperRows {
+    std::vector<int> start, column;
+    std::vector<double> value;
+};
 
 class BendPlate final : public PaddedForce {
 public:
@@ -37,18 +42,13 @@ public:
     void add_damping_majorant(Majorant& b) const override;
 
 private:
-    // Takes the upper triangle of K from its rows. What is round-off is left out; the diagonal makes rows sum
-    // to 0.
-    void keep(const std::vector<std::map<int, double>>& rows);
     // visit(i, j, K_ij) for all i <= j, columns of the State
     template <class Visit>
     void each_entry(Visit visit) const;
 
     int first_ = 0;
-    // K is symmetric: of each row the diagonal and what follows it, numbered within the cloth
-    std::vector<int> row_, column_;
-    std::vector<double> value_;  // [N/m]
-    double tau_ = 0;             // [s]
+    UpperRows k_;     // [N/m]
+    double tau_ = 0;  // [s]
 };
 
 // The relaxation time that gives bending waves of wave number 1 / l_b the fabric's damping ratio, where

@@ -36,46 +36,61 @@ Eigen::Vector4d two_triangles(const Points2& points) {
     return weight / (below + above);
 }
 
-// u^2/2, uv/sqrt 2, v^2/2 at the points in units of size: their least squares do not depend on the axes
-Eigen::MatrixXd quadratics(const Points2& points, double size) {
-    Eigen::MatrixXd values(static_cast<Eigen::Index>(points.size()), 3);
-    for (Eigen::Index i = 0; i < values.rows(); ++i) {
-        const Eigen::Vector2d s = points[static_cast<size_t>(i)].at / size;
-        values.row(i) << s.x() * s.x() / 2, s.x() * s.y() / std::numbers::sqrt2, s.y() * s.y() / 2;
-    }
+// 1, u, v, u^2/2, uv/sqrt 2, v^2/2 at a point in units of size: least squares of the last three do not depend
+// on the axes
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+Vec6 monomials(const Eigen::Vector2d& at, double size) {
+    const Eigen::Vector2d s = at / size;
+    Vec6 values;
+    values << 1, s.x(), s.y(), s.x() * s.x() / 2, s.x() * s.y() / std::numbers::sqrt2, s.y() * s.y() / 2;
     return values;
 }
 
+// What the two triangles make of quadratic functions, which have no slope at the origin.
+Vec3 wrong_slopes(const Points2& points, double size) {
+    const Eigen::Vector4d weight = two_triangles(points);
+    Vec3 wrong = Vec3::Zero();
+    for (size_t i = 0; i < 4; ++i)
+        wrong += weight[static_cast<Eigen::Index>(i)] * monomials(points[i].at, size).tail<3>();
+    return wrong;
+}
+
 // Changes the weights least, and nothing for linear functions, so that quadratic ones have no slope at the
-// origin, as is right for them. False where the points cannot tell quadratics well, unless that is accepted.
+// origin. With L and Q the values of linear and quadratic functions at the points, the change is
+//   -C (C' C)^-1 wrong,  C = Q - L (L' L)^-1 L' Q
+// False where the points cannot tell quadratics well, unless that is accepted.
 bool mend(const Points2& points, bool accept_incomplete, EdgeSlope& slope) {
-    const auto count = static_cast<Eigen::Index>(points.size());
-    if (count < 6 && !accept_incomplete) return false;
+    if (points.size() < 6 && !accept_incomplete) return false;
     const double size = size_of(points);
-    Eigen::MatrixXd linear(count, 3);
-    for (Eigen::Index i = 0; i < count; ++i)
-        linear.row(i) << 1, points[static_cast<size_t>(i)].at.transpose() / size;
-    const Eigen::MatrixXd quadratic = quadratics(points, size);
-    Eigen::MatrixXd basis(count, 6);
-    basis << linear, quadratic;
-    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(basis).singularValues();
-    const Eigen::Index full = std::min<Eigen::Index>(count, 6);
-    slope.condition = values[full - 1] > 0 ? values[0] / values[full - 1] : INFINITY;
-    slope.complete = full == 6 && slope.condition <= worst_condition;
+    Mat6 gram = Mat6::Zero();
+    for (const auto& p : points) {
+        const Vec6 values = monomials(p.at, size);
+        gram += values * values.transpose();
+    }
+    const Vec6 squares = Eigen::SelfAdjointEigenSolver<Mat6>(gram, Eigen::EigenvaluesOnly).eigenvalues();
+    slope.condition = squares[0] > 0 ? std::sqrt(squares[5] / squares[0]) : INFINITY;
+    slope.complete = points.size() >= 6 && slope.condition <= worst_condition;
     if (!slope.complete && !accept_incomplete) return false;
 
-    const Eigen::MatrixXd flat = linear.householderQr().householderQ() * Eigen::MatrixXd::Identity(count, 3);
-    const Eigen::MatrixXd curved = quadratic - flat * (flat.transpose() * quadratic);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(curved, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd& told = svd.singularValues();
-    // the pseudo-inverse, without the directions that the points cannot tell
-    Eigen::VectorXd inverse = Eigen::VectorXd::Zero(told.size());
-    for (Eigen::Index k = 0; k < told.size(); ++k)
-        if (told[k] * worst_condition >= values[0]) inverse[k] = 1 / told[k];
-    Eigen::VectorXd weight = Eigen::VectorXd::Zero(count);
-    weight.head<4>() = two_triangles(points);
-    slope.weight = weight - svd.matrixU() * inverse.asDiagonal() * svd.matrixV().transpose() *
-                                (quadratic.transpose() * weight);
+    const Mat3 linear_part = gram.topLeftCorner<3, 3>().inverse() * gram.topRightCorner<3, 3>();
+    const Mat3 curved = gram.bottomRightCorner<3, 3>() - gram.bottomLeftCorner<3, 3>() * linear_part;
+    const Eigen::SelfAdjointEigenSolver<Mat3> told(curved);
+    // without the directions that the points cannot tell
+    Vec3 inverse = Vec3::Zero();
+    for (int k = 0; k < 3; ++k)
+        if (told.eigenvalues()[k] * worst_condition * worst_condition >= squares[5])
+            inverse[k] = 1 / told.eigenvalues()[k];
+    const Vec3 change = told.eigenvectors() * inverse.asDiagonal() * told.eigenvectors().transpose() *
+                        wrong_slopes(points, size);
+    slope.weight = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(points.size()));
+    slope.weight.head<4>() = two_triangles(points);
+    for (size_t i = 0; i < points.size(); ++i) {
+        const Vec6 values = monomials(points[i].at, size);
+        slope.weight[static_cast<Eigen::Index>(i)] -=
+            (values.tail<3>() - linear_part.transpose() * values.head<3>()).dot(change);
+    }
     return true;
 }
 
@@ -85,8 +100,8 @@ EdgeSlope edge_slope(const Mesh& mesh, const Topology& topology, const Edge& edg
     Unfolding patch(mesh, topology, edge);
     EdgeSlope slope;
     slope.weight = two_triangles(patch.points());
-    const Eigen::MatrixXd quadratic = quadratics(patch.points(), size_of(patch.points()));
-    if ((quadratic.transpose() * slope.weight).norm() > round_off * slope.weight.norm()) {
+    const double wrong = wrong_slopes(patch.points(), size_of(patch.points())).norm();
+    if (wrong > round_off * slope.weight.norm()) {
         bool mended = false;
         for (int ring = 0; ring < most_rings && !mended; ++ring) {
             const bool grew = patch.grow();
