@@ -4,18 +4,21 @@
 #pragma once
 
 #include <cmath>
-#include <cstring>
 
 namespace drape {
 
 typedef double Lanes __attribute__((vector_size(32), aligned(8)));
 
+// Four doubles where they lie. A copy by memcpy would become two of half the width, through memory, in
+// functions that are compiled for any machine and for wider vectors too.
+typedef Lanes LanesInPlace __attribute__((may_alias));
+
 inline __attribute__((always_inline)) void load(Lanes& value, const double* from) {
-    std::memcpy(&value, from, sizeof value);
+    value = *reinterpret_cast<const LanesInPlace*>(from);
 }
 
 inline __attribute__((always_inline)) void store(const Lanes& value, double* to) {
-    std::memcpy(to, &value, sizeof value);
+    *reinterpret_cast<LanesInPlace*>(to) = value;
 }
 
 inline __attribute__((always_inline)) Lanes square_root(Lanes value) {
