@@ -13,7 +13,7 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 
 // Neighbours in the plane are neighbours in memory: strips of one edge length, each along x.
-void order_by_strips(Eigen::Matrix2Xd& points, double strip) {
+std::vector<Eigen::Index> order_by_strips(const Eigen::Matrix2Xd& points, double strip) {
     std::vector<Eigen::Index> order(static_cast<size_t>(points.cols()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
     const double low = points.row(1).minCoeff();
@@ -22,7 +22,7 @@ void order_by_strips(Eigen::Matrix2Xd& points, double strip) {
         if (row(i) != row(j)) return row(i) < row(j);
         return points(0, i) != points(0, j) ? points(0, i) < points(0, j) : points(1, i) < points(1, j);
     });
-    points = Eigen::Matrix2Xd(points(Eigen::all, order));
+    return order;
 }
 
 // Between the shortest and the longest edge wanted at any point.
@@ -43,6 +43,18 @@ Faces kept(const Faces& faces, const Eigen::Matrix2Xd& points, const Region& ins
         if (inside(centre)) inner.push_back(f);
     }
     return faces(Eigen::all, inner);
+}
+
+// x of the plane is x, its y is z; triangles are turned round, for seen from above z points down the page.
+Mesh flat_sheet_in_order(const Eigen::Matrix2Xd& points, Faces faces) {
+    Points rest = Points::Zero(3, points.cols());
+    rest.row(0) = points.row(0);
+    rest.row(2) = points.row(1);
+    const Vec2 low = points.rowwise().minCoeff();
+    const Eigen::Array2d extent = (points.rowwise().maxCoeff() - low).array();
+    const Eigen::Matrix2Xf uv = ((points.colwise() - low).array().colwise() / extent).cast<float>();
+    faces.row(1).swap(faces.row(2));
+    return plain_mesh(std::move(rest), std::move(faces), uv);
 }
 
 }  // namespace
@@ -83,19 +95,23 @@ std::vector<Vec2> points_round(const std::vector<Vec2>& corners, const SizeField
 
 Mesh irregular_mesh(const std::vector<Vec2>& fixed, const Region& inside, const SizeField& edge_length,
                     std::uint64_t seed) {
-    Eigen::Matrix2Xd border(2, static_cast<Eigen::Index>(fixed.size()));
-    for (size_t i = 0; i < fixed.size(); ++i) border.col(static_cast<Eigen::Index>(i)) = fixed[i];
-    Eigen::Matrix2Xd points = poisson_disk(border, inside, edge_length, seed);
-    order_by_strips(points, middle_edge(points, edge_length));
-    Points rest = Points::Zero(3, points.cols());
-    rest.row(0) = points.row(0);
-    rest.row(2) = points.row(1);
-    const Vec2 low = points.rowwise().minCoeff();
-    const Eigen::Array2d extent = (points.rowwise().maxCoeff() - low).array();
-    const Eigen::Matrix2Xf uv = ((points.colwise() - low).array().colwise() / extent).cast<float>();
-    Faces faces = kept(delaunay(points), points, inside);
-    faces.row(1).swap(faces.row(2));  // seen from above, z points down the page
-    return plain_mesh(std::move(rest), std::move(faces), uv);
+    Eigen::Matrix2Xd points = poisson_disk(columns_of(fixed), inside, edge_length, seed);
+    points = Eigen::Matrix2Xd(points(Eigen::all, order_by_strips(points, middle_edge(points, edge_length))));
+    return flat_sheet_in_order(points, kept(delaunay(points), points, inside));
+}
+
+Mesh flat_sheet(const Eigen::Matrix2Xd& points, const Faces& faces, double strip) {
+    const std::vector<Eigen::Index> order = order_by_strips(points, strip);
+    std::vector<int> now(order.size());
+    for (size_t i = 0; i < order.size(); ++i) now[static_cast<size_t>(order[i])] = static_cast<int>(i);
+    return flat_sheet_in_order(points(Eigen::all, order),
+                               faces.unaryExpr([&](int v) { return now[static_cast<size_t>(v)]; }));
+}
+
+Eigen::Matrix2Xd columns_of(const std::vector<Vec2>& points) {
+    Eigen::Matrix2Xd columns(2, static_cast<Eigen::Index>(points.size()));
+    for (size_t i = 0; i < points.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = points[i];
+    return columns;
 }
 
 }  // namespace drape

@@ -23,4 +23,9 @@ std::vector<Eigen::Vector2d> points_round(const std::vector<Eigen::Vector2d>& co
 Mesh irregular_mesh(const std::vector<Eigen::Vector2d>& fixed, const Region& inside,
                     const SizeField& edge_length, std::uint64_t seed);
 
+// The same of points and triangles, which turn left in the plane; vertices are put in order by strips [m].
+Mesh flat_sheet(const Eigen::Matrix2Xd& points, const Faces& faces, double strip);
+
+Eigen::Matrix2Xd columns_of(const std::vector<Eigen::Vector2d>& points);
+
 }  // namespace drape

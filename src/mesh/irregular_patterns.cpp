@@ -1,6 +1,7 @@
 // Patterns without rows: Poisson-disk points, joined by their Delaunay triangulation, between straight sides.
 #include <cmath>
 
+#include "mesh/fill.h"
 #include "mesh/irregular_mesh.h"
 #include "mesh/pattern_kinds.h"
 
@@ -17,6 +18,20 @@ Mesh make_pseudo_random(const PatternSize& size) {
         {{-half.x(), -half.y()}, {half.x(), -half.y()}, {half.x(), half.y()}, {-half.x(), half.y()}},
         edge_length);
     return irregular_mesh(sides, inside, edge_length, size.seed);
+}
+
+Mesh make_adaptive(const PatternSize& size) {
+    const Outline outline = rectangle_outline(size.width, size.depth);
+    return irregular_within(outline, adaptive_edges(size, outline.low(), outline.high()), size.seed);
+}
+
+SizeField even_edges(const PatternSize& size, const Eigen::Vector2d&, const Eigen::Vector2d&) {
+    const double edge = std::sqrt(size.width / size.columns * size.depth / size.rows);
+    return [edge](const Eigen::Vector2d&) { return edge; };
+}
+
+SizeField adaptive_edges(const PatternSize& size, const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
+    return finer_field(size.finer, std::sqrt(size.width / size.columns * size.depth / size.rows), low, high);
 }
 
 }  // namespace drape
