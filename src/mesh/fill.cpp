@@ -49,7 +49,12 @@ Mesh fill(const Outline& outline, const SizeField& edge_length,
           const std::function<Mesh(const std::vector<Loop>&)>& make) {
     std::vector<Loop> loops = border_points(outline, edge_length);
     for (int round = 0; round < most_rounds; ++round) {
-        Mesh mesh = make(loops);
+        Mesh mesh;
+        try {
+            mesh = make(loops);
+        } catch (const Error&) {
+            break;  // points so near to a line of others that they cannot be joined
+        }
         const Border border = border_of(mesh);
         size_t sides = 0, unjoined = 0;
         for (size_t k = 0; k < loops.size(); ++k) {

@@ -120,6 +120,28 @@ std::vector<Side> sides_of(const std::vector<Loop>& loops) {
     return sides;
 }
 
+void check_corners(const Loop& corners) {
+    const size_t count = corners.size();
+    if (count < 3) throw Error(cat("an outline needs at least 3 corners, got ", count));
+    for (size_t i = 0; i < count; ++i)
+        if (!corners[i].allFinite()) throw Error(cat("outline: corner ", i + 1, " is not finite"));
+    for (size_t i = 0; i < count; ++i)
+        if (corners[i] == corners[(i + 1) % count])
+            throw Error(cat("outline: corner ", (i + 1) % count + 1, " stands on the one before it"));
+}
+
+// More than the corner that neighbours share.
+bool meet(const Side& one, const Side& other) {
+    const auto folds_back = [](const Vec2& a, const Vec2& corner, const Vec2& b) {
+        return orientation(a, corner, b) == 0 && (a - corner).dot(b - corner) > 0;
+    };
+    if (one.second == other.first && one.first != other.second)
+        return folds_back(one.first, one.second, other.second);
+    if (other.second == one.first && other.first != one.second)
+        return folds_back(other.first, other.second, one.second);
+    return touch(one, other);
+}
+
 }  // namespace
 
 Vec2 Outline::low() const {
@@ -149,32 +171,23 @@ Outline annulus_outline(double outer, double inner) {
     return {{circle(outer), circle(inner)}};
 }
 
-Outline polygon_outline(const std::vector<Vec2>& corners) {
-    const size_t count = corners.size();
-    if (count < 3) throw Error(cat("an outline needs at least 3 corners, got ", count));
-    for (size_t i = 0; i < count; ++i)
-        if (!corners[i].allFinite()) throw Error(cat("outline: corner ", i + 1, " is not finite"));
-    for (size_t i = 0; i < count; ++i) {
-        const Side one{corners[i], corners[(i + 1) % count]};
-        if (one.first == one.second) throw Error(cat("outline: corner ", i + 1, " is given twice"));
-        for (size_t j = i + 1; j < count; ++j) {
-            const Side other{corners[j], corners[(j + 1) % count]};
-            bool meets = false;
-            // neighbours share a corner; they must not fold back on each other
-            if (j == i + 1 || (i == 0 && j + 1 == count)) {
-                const Vec2 corner = j == i + 1 ? other.first : one.first;
-                const Vec2 a = j == i + 1 ? one.first : one.second,
-                           b = j == i + 1 ? other.second : other.first;
-                meets = orientation(a, corner, b) == 0 && (a - corner).dot(b - corner) > 0;
-            } else {
-                meets = touch(one, other);
-            }
-            if (meets)
+Outline polygon_outline(const Loop& corners) {
+    return polygons_outline({corners});
+}
+
+Outline polygons_outline(const std::vector<Loop>& loops) {
+    Outline outline;
+    for (const Loop& loop : loops) {
+        check_corners(loop);
+        outline.curves.push_back({loop});
+    }
+    const std::vector<Side> sides = sides_of(loops);
+    for (size_t i = 0; i < sides.size(); ++i)
+        for (size_t j = i + 1; j < sides.size(); ++j)
+            if (meet(sides[i], sides[j]))
                 throw Error(cat("outline: the sides after corners ", i + 1, " and ", j + 1,
                                 " meet (sides may share their corner only)"));
-        }
-    }
-    return {{{corners}}};
+    return outline;
 }
 
 std::vector<Loop> border_points(const Outline& outline, const SizeField& edge_length) {

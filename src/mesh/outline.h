@@ -7,9 +7,11 @@
 
 namespace drape {
 
+using Loop = std::vector<Eigen::Vector2d>;  // the corners of a closed polygon
+
 // A closed polygon; with a radius [m] the circle about the origin that it runs round.
 struct Curve {
-    std::vector<Eigen::Vector2d> corners;
+    Loop corners;
     double radius = 0;
 };
 
@@ -24,9 +26,9 @@ Outline rectangle_outline(double width, double depth);
 Outline disc_outline(double diameter);
 Outline annulus_outline(double outer, double inner);  // diameters
 // Throws Error unless it is a polygon of at least three corners that does not touch itself and has an area.
-Outline polygon_outline(const std::vector<Eigen::Vector2d>& corners);
-
-using Loop = std::vector<Eigen::Vector2d>;
+Outline polygon_outline(const Loop& corners);
+// The same of several, none of which touches another; a hole is one inside another.
+Outline polygons_outline(const std::vector<Loop>& loops);
 
 // Points along every curve, as far apart as the size field has it. Corners that turn by over 15 degrees are
 // among them; gentler ones only where the points are as near as they are.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "mesh/poisson_disk.h"
@@ -14,13 +15,15 @@ struct CurvedPlace {
     double curvature = 0;  // [1/m]
 };
 
+inline constexpr double degrees_a_radian = 180 / std::numbers::pi;
+
 struct Finer {
     std::vector<Eigen::Vector2d> points;                // edges are `finest` here [m]
     std::vector<std::array<Eigen::Vector2d, 2>> lines;  // and along these
-    std::vector<CurvedPlace> curved;  // here so short that the surface turns by `turn` along one
-    double finest = 0;                // [m]; 0: a quarter of what the divisions give
-    double growth = 0.25;             // of an edge, over the distance from where it is fine
-    double turn = 15 * 3.14159265358979323846 / 180;  // [rad]
+    std::vector<CurvedPlace> curved;      // here so short that the surface turns by `turn` along one
+    double finest = 0;                    // [m]; 0: a quarter of what the divisions give
+    double growth = 0.25;                 // of an edge, over the distance from where it is fine
+    double turn = 15 / degrees_a_radian;  // [rad]
 
     bool anywhere() const { return !points.empty() || !lines.empty() || !curved.empty(); }
 };
