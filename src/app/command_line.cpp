@@ -346,6 +346,16 @@ Action declare_mesh(CLI::App& verb) {
     verb.add_option("--seed", wanted->seed, "of patterns that throw dice (default 1)")
         ->type_name("N")
         ->check(CLI::Range(0, std::numeric_limits<int>::max()));
+    verb.add_option("--over", wanted->over, "what it covers: rectangle, disc, annulus or outline")
+        ->type_name("KIND");
+    verb.add_option("--hole", wanted->hole, "inner diameter of an annulus in metres")->type_name("M");
+    verb.add_option("--outline", wanted->outline, "corners, as a scene has them: \"[[0,0],[1,0],[0,1]]\"")
+        ->type_name("CORNERS");
+    verb.add_option("--finer", wanted->finer, "where `adaptive` is finer: \"{ points = [[0,0]] }\"")
+        ->type_name("TABLE");
+    verb.add_option("--remesh", wanted->remesh,
+                    "fill this mesh's outline anew, with edges as long as its own but for --divisions")
+        ->type_name("MESH");
     return [wanted] { return write_pattern(*wanted); };
 }
 

@@ -16,13 +16,17 @@ _drape() {
             mapfile -t COMPREPLY < <(compgen "$kind" -- "$word")
             return
             ;;
-        --cache | --replay | --verify-hashes | --json | --junit | --html | --video | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
+        --cache | --replay | --verify-hashes | --json | --junit | --html | --video | --remesh | -o) mapfile -t COMPREPLY < <(compgen -f -- "$word") && return ;;
         --method)
             mapfile -t COMPREPLY < <(compgen -W "auto symplectic_euler verlet takahashi_imada srkn4 srkn6 rk4 \
                 embedded_rk xpbd backward_euler_1 backward_euler bdf2 tr_bdf2 projective_dynamics" -- "$word")
             return
             ;;
-        --from | --checkpoint-every | --step | --tolerance | --threads | --set | --frames | --size | --until | --bending-length | --density | --repeats | --budget | --share | --mean | --rms | --limit | --ignore | --fps | --speed | --loop | --caption | --label | --columns | --width | --at-most | --only) return ;;
+        --over)
+            mapfile -t COMPREPLY < <(compgen -W "rectangle disc annulus outline" -- "$word")
+            return
+            ;;
+        --hole | --outline | --finer | --from | --checkpoint-every | --step | --tolerance | --threads | --set | --frames | --size | --until | --bending-length | --density | --repeats | --budget | --share | --mean | --rms | --limit | --ignore | --fps | --speed | --loop | --caption | --label | --columns | --width | --at-most | --only) return ;;
     esac
 
     local words
@@ -40,7 +44,7 @@ _drape() {
         compare) words="--share --mean --rms --limit --ignore --perceptual --hausdorff --html --json --junit --accept --quiet --help" ;;
         gallery) words="--out --only --quick --threads --quiet --help" ;;
         video) words="--out --fps --speed --boomerang --loop --caption --no-caption --width --at-most --side-by-side --label --columns --difference --quiet --help" ;;
-        mesh) words="one_way alternating crossed equilateral pseudo_random -o --size --divisions --seed --help" ;;
+        mesh) words="one_way alternating crossed equilateral pseudo_random adaptive -o --size --divisions --seed --over --hole --outline --finer --remesh --help" ;;
         list) words="scenes fabrics methods obstacles patterns membranes lab --help" ;;
         *) return ;;
     esac

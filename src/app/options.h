@@ -101,9 +101,15 @@ struct GalleryRequest {
 
 struct PatternOptions {
     std::string pattern, file;
-    std::array<double, 2> size{1, 1};      // width, depth [m]
-    std::array<int, 2> divisions{32, 32};  // columns, rows
+    std::optional<std::array<double, 2>> size;    // width, depth [m]
+    std::optional<std::array<int, 2>> divisions;  // columns, rows
     std::uint64_t seed = 1;
+    // as the keys of a scene's pattern are written; "" = not given
+    std::string over, hole, outline, finer;
+    std::string remesh;                // a mesh file to fill anew; "" = none
+};                                     // width, depth [m]
+std::array<int, 2> divisions{32, 32};  // columns, rows
+std::uint64_t seed = 1;
 };
 
 }  // namespace drape

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/timer.h"
 #include "io/load_mesh.h"
+#include "scene/curved_places.h"
 #include "scene/find_pins.h"
 
 namespace drape {
@@ -73,11 +74,22 @@ std::shared_ptr<const Solid> make_solid(const ObstacleDescription& obstacle) {
 
 }  // namespace
 
+PatternSize pattern_size_of(const SceneDescription& scene, const ClothDescription& cloth) {
+    PatternSize size = cloth.pattern_size;
+    if (!cloth.curved.mesh.empty())
+        size.finer.curved = in_context(cloth.curved.place.text, [&] {
+            const std::string& positions = cloth.curved.positions;
+            return curved_places(scene.path_to(cloth.curved.mesh),
+                                 positions.empty() ? "" : scene.path_to(positions));
+        });
+    return size;
+}
+
 Mesh placed_mesh(const SceneDescription& scene, const ClothDescription& cloth,
                  std::vector<std::string>& notes) {
     Mesh mesh = cloth.mesh.empty()
                     ? in_context(cloth.mesh_place.text,
-                                 [&] { return make_pattern(cloth.pattern, cloth.pattern_size); })
+                                 [&] { return make_pattern(cloth.pattern, pattern_size_of(scene, cloth)); })
                     : load_noted(scene, cloth.mesh, cloth.mesh_place, notes);
     mesh.rest = place(cloth.placement, mesh.rest);
     mesh.unused = place(cloth.placement, mesh.unused);

@@ -19,6 +19,9 @@ struct Built {
 // Throws Error at the place in the scene file of whatever does not fit.
 Built build_scene(const SceneDescription& scene);
 
+// A cloth's pattern, with what an adaptive one learns from an earlier run's files.
+PatternSize pattern_size_of(const SceneDescription& scene, const ClothDescription& cloth);
+
 // The mesh that a cloth starts from, at rest in the world. Notes go to `notes`.
 Mesh placed_mesh(const SceneDescription& scene, const ClothDescription& cloth,
                  std::vector<std::string>& notes);

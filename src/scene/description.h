@@ -49,10 +49,17 @@ struct ClothColours {
     bool stripes = true;                        // the woven border band
 };
 
+// Where an earlier run was curved, for an adaptive pattern: scene/curved_places.h.
+struct CurvedFiles {
+    std::string mesh, positions;  // relative to the scene's folder; "" = none
+    Place place;
+};
+
 struct ClothDescription {
     std::string mesh;                     // a file, relative to the scene's folder; "" = a pattern
     std::string pattern = "alternating";  // read only if mesh is ""
     PatternSize pattern_size;
+    CurvedFiles curved;  // makes the pattern finer
     Placement placement;
     StartDescription start;
     std::string fabric_name;  // the preset the fabric is, or starts from; "" = from nothing

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mesh/pattern.h"
+#include "scene/builder.h"
 
 namespace drape {
 
@@ -38,7 +39,7 @@ double most_of(__rlimit_resource what) {
 double predicted_memory(const SceneDescription& scene, const RunExtent& extent) {
     double vertices = 0;
     for (const ClothDescription& cloth : scene.cloths)
-        if (cloth.mesh.empty()) vertices += about_vertices(cloth.pattern, cloth.pattern_size);
+        if (cloth.mesh.empty()) vertices += about_vertices(cloth.pattern, pattern_size_of(scene, cloth));
     const double passes = extent.two_passes ? 2 : 1;
     double bytes = of_program + vertices * (of_build + passes * of_pass);
     // a tolerance is met by passes that are kept whole until they are compared

@@ -7,28 +7,6 @@ namespace drape {
 
 namespace {
 
-constexpr int most_divisions = 1'000'000;
-
-// pattern = { name = "alternating", size = [1, 1], divisions = [64, 64], seed = 1 }
-void read_pattern(const Value& value, ClothDescription& cloth) {
-    const Keys keys(value, "pattern", {"name", "size", "divisions", "seed"});
-    if (const Value* name = keys.find("name"))
-        cloth.pattern = as_kind(*name, "pattern", pattern_kinds()).name;
-    if (const Value* size = keys.find("size")) {
-        const std::vector<Value>& sides = as_array(*size, "size", 2);
-        cloth.pattern_size.width = as_number(sides[0], "size", positive("m"));
-        cloth.pattern_size.depth = as_number(sides[1], "size", positive("m"));
-    }
-    if (const Value* divisions = keys.find("divisions")) {
-        const std::vector<Value>& counts = as_array(*divisions, "divisions", 2);
-        cloth.pattern_size.columns = as_integer(counts[0], "divisions", 1, most_divisions);
-        cloth.pattern_size.rows = as_integer(counts[1], "divisions", 1, most_divisions);
-    }
-    if (const Value* seed = keys.find("seed"))
-        cloth.pattern_size.seed =
-            static_cast<std::uint64_t>(as_integer(*seed, "seed", 0, std::numeric_limits<int>::max()));
-}
-
 Placement read_placement(const Value& value) {
     const Keys keys(value, "place", {"translate", "rotate_deg", "scale"});
     Placement placement;

@@ -7,6 +7,7 @@
 namespace drape {
 
 ClothDescription read_cloth(const Value&);
+void read_pattern(const Value&, ClothDescription&);
 PinDescription read_pin(const Value&);
 // `preset` receives the name of the preset the fabric is or starts from, or "".
 Fabric read_fabric(const Value&, std::string& preset);

@@ -101,12 +101,51 @@ std::string colours_text(const ClothColours& colours) {
                "\n");
 }
 
+std::string toml(const Eigen::Vector2d& place) {
+    return cat("[", toml(place.x()), ", ", toml(place.y()), "]");
+}
+
+template <class List, class Text>
+std::string listed(const List& list, Text text) {
+    std::string all;
+    for (const auto& one : list) all += cat(all.empty() ? "" : ", ", text(one));
+    return "[" + all + "]";
+}
+
+std::string finer_text(const ClothDescription& cloth) {
+    const Finer& finer = cloth.pattern_size.finer;
+    const auto place = [](const Eigen::Vector2d& p) { return toml(p); };
+    std::string text = cat(", finer = { growth = ", toml(finer.growth),
+                           ", turn_deg = ", toml(finer.turn * degrees_a_radian));
+    if (finer.finest > 0) text += cat(", finest = ", toml(finer.finest));
+    if (!finer.points.empty()) text += cat(", points = ", listed(finer.points, place));
+    if (!finer.lines.empty())
+        text += cat(", lines = ", listed(finer.lines, [&](const auto& line) { return listed(line, place); }));
+    if (!cloth.curved.mesh.empty()) {
+        text += cat(", curved = { mesh = ", toml(cloth.curved.mesh));
+        if (!cloth.curved.positions.empty()) text += cat(", positions = ", toml(cloth.curved.positions));
+        text += " }";
+    }
+    return text + " }";
+}
+
+std::string pattern_text(const ClothDescription& cloth) {
+    const PatternSize& pattern = cloth.pattern_size;
+    const bool outline = pattern.over == "outline";
+    std::string text = cat("pattern = { name = ", toml(cloth.pattern));
+    if (!outline) text += cat(", size = [", toml(pattern.width), ", ", toml(pattern.depth), "]");
+    text += cat(", divisions = [", pattern.columns, ", ", pattern.rows, "], seed = ", pattern.seed);
+    if (pattern.over != "rectangle") text += cat(", over = ", toml(pattern.over));
+    if (outline) text += cat(", outline = ", listed(pattern.outline, [](const auto& p) { return toml(p); }));
+    if (pattern.hole > 0) text += cat(", hole = ", toml(pattern.hole));
+    if (cloth.pattern == "adaptive") text += finer_text(cloth);
+    return text + " }\n";
+}
+
 std::string cloth_text(const ClothDescription& cloth) {
     std::string text = "\n[[cloth]]\n";
     if (cloth.mesh.empty())
-        text += cat("pattern = { name = ", toml(cloth.pattern), ", size = [", toml(cloth.pattern_size.width),
-                    ", ", toml(cloth.pattern_size.depth), "], divisions = [", cloth.pattern_size.columns,
-                    ", ", cloth.pattern_size.rows, "], seed = ", cloth.pattern_size.seed, " }\n");
+        text += pattern_text(cloth);
     else
         text += cat("mesh = ", toml(cloth.mesh), "\n");
     text += cat("place = { translate = ", toml(cloth.placement.translate),

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "scene/scene_text.h"
 #include "support/scene_file.h"
 
 using namespace drape;
@@ -45,7 +46,7 @@ TEST_CASE("a pattern's name, sides and divisions are checked", "[scene]") {
     CHECK(error_of(cloth("{ seed = -1 }")).starts_with("scene.toml:3:20: seed"));
     CHECK(error_of(cloth("{ name = \"oneway\" }")) ==
           "scene.toml:3:20: unknown pattern \"oneway\"; did you mean \"one_way\"? (known: one_way, "
-          "alternating, crossed, equilateral, pseudo_random)");
+          "alternating, crossed, equilateral, pseudo_random, adaptive)");
     CHECK(error_of(cloth("{ size = [1, 0] }")) == "scene.toml:3:24: size must be positive, got 0 m");
     CHECK(error_of(cloth("{ size = 1 }")) ==
           "scene.toml:3:20: size: expected an array of 2, found the integer 1");
@@ -53,6 +54,39 @@ TEST_CASE("a pattern's name, sides and divisions are checked", "[scene]") {
           "scene.toml:3:26: divisions must be from 1 to 1000000, got 0");
     CHECK(error_of(cloth("{ divisions = [4, 4.5] }")) ==
           "scene.toml:3:29: divisions: expected an integer, found the number 4.5");
+}
+
+TEST_CASE("a pattern covers what it is told, and an adaptive one is finer where it is told", "[scene]") {
+    const auto cloth = [](const std::string& pattern) {
+        return "schema = 1\n[[cloth]]\npattern = " + pattern + "\n";
+    };
+    const auto text_of = [](const SceneDescription& scene) { return scene_text(scene); };
+    const SceneDescription annulus = scene_of(cloth("{ over = \"annulus\", hole = \"40 cm\" }"));
+    CHECK(annulus.cloths.at(0).pattern_size.over == "annulus");
+    CHECK(annulus.cloths.at(0).pattern_size.hole == 0.4);
+    const SceneDescription outline = scene_of(cloth(
+        "{ name = \"adaptive\", outline = [[0, 0], [\"2 m\", 0], [0, 1]], finer = { points = [[0.1, 0.2]], "
+        "lines = [[[0, 0], [1, 0]]], finest = \"5 mm\", growth = 0.2, turn_deg = 10, "
+        "curved = { mesh = \"a.obj\", positions = \"a.pc2\" } } }"));
+    const ClothDescription& sheet = outline.cloths.at(0);
+    CHECK(sheet.pattern_size.outline.at(1) == Eigen::Vector2d(2, 0));
+    CHECK(sheet.pattern_size.finer.points.at(0) == Eigen::Vector2d(0.1, 0.2));
+    CHECK(sheet.pattern_size.finer.finest == 0.005);
+    CHECK(sheet.curved.positions == "a.pc2");
+    // what inspect prints reads back as the same
+    for (const SceneDescription& scene : {annulus, outline})
+        CHECK(text_of(scene_of(text_of(scene))) == text_of(scene));
+    CHECK(error_of(cloth("{ over = \"disk\" }"))
+              .starts_with("scene.toml:3:20: unknown over \"disk\"; did you mean \"disc\"?"));
+    CHECK(error_of(cloth("{ hole = 0.1 }")) == "scene.toml:3:13: hole goes with over = \"annulus\" only");
+    CHECK(error_of(cloth("{ over = \"outline\" }")) == "scene.toml:3:20: over = \"outline\" needs outline");
+    CHECK(error_of(cloth("{ name = \"adaptive\" }")) == "scene.toml:3:11: adaptive needs finer");
+    CHECK(error_of(cloth("{ finer = { points = [[0, 0]] } }")) ==
+          "scene.toml:3:13: finer goes with name = \"adaptive\" only");
+    CHECK(error_of(cloth("{ name = \"adaptive\", finer = { growth = 1 } }")) ==
+          "scene.toml:3:40: finer needs points, lines or curved");
+    CHECK(error_of(cloth("{ outline = [[0, 0], [1, 1], [1, 0], [0, 1]] }"))
+              .starts_with("scene.toml:3:23: outline: the sides after corners 1 and 3 meet"));
 }
 
 TEST_CASE("place and start read; a start may be flattened or mirrored, a rest shape not", "[scene]") {
