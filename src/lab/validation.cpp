@@ -4,58 +4,14 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/names.h"
-#include "base/numbers.h"
-#include "lab/elastic.h"
 #include "lab/hanging.h"
-#include "mesh/pattern.h"
-#include "obstacle/obstacle.h"
-#include "simulate/simulation.h"
+#include "lab/sliding.h"
 
 namespace drape {
 
 namespace {
 
 constexpr double gravity = 9.81;  // [m/s^2]
-
-// Slides down `slope` for two seconds: how far, and how much faster in the second one.
-struct Slide {
-    double way = 0, acceleration = 0;  // [m], [m/s^2]
-};
-
-Slide slide(double slope, double friction) {
-    const double angle = std::atan(slope);
-    const Vec3 downhill(std::cos(angle), -std::sin(angle), 0), normal(std::sin(angle), std::cos(angle), 0);
-    Fabric springs;
-    springs.density = 0.2;
-    springs.stretch_model = StretchModel::spring_constant;
-    springs.stretch = 200;
-    Setup setup;
-    setup.model = free_cloth(make_pattern("alternating", {0.3, 0.3, 4, 4}), springs);
-    Mat3 turn;
-    turn << downhill, normal, Vec3::UnitZ();
-    const Points start = turn * setup.model.cloths.front().mesh.rest;
-    setup.start = {start, Points::Zero(3, start.cols()), 0};
-    setup.world.gravity = {0, -gravity, 0};
-    setup.frame_rate = 10;
-    setup.frames = 20;
-    setup.method = "verlet";
-    ShapeParameters plane;
-    plane.normal = normal;
-    setup.obstacles.push_back(
-        {"plane", find_named(solid_kinds(), "obstacle", "plane").make(plane), {}, friction});
-    Simulation simulation(std::move(setup));
-    const Points lifted = simulation.state().x;
-    const auto speed = [&] { return downhill.dot(Vec3(simulation.state().v.rowwise().mean())); };
-    double half_way = 0;
-    while (simulation.frame() < simulation.frames()) {
-        const FrameReport report = simulation.advance();
-        if (!report.trouble.empty()) throw Error(cat("a sheet on a slope: ", report.trouble));
-        if (2 * simulation.frame() == simulation.frames()) half_way = speed();
-    }
-    const Points moved = simulation.state().x - lifted;
-    return {(downhill.transpose() * moved).cwiseAbs().maxCoeff(), speed() - half_way};
-}
 
 }  // namespace
 
@@ -96,12 +52,11 @@ Check check_strip(const std::string& on, const Fabric& fabric, int rows) {
 
 std::vector<Check> check_slope() {
     constexpr double friction = 0.5, holds = 0.49, slides = 0.8;
-    const double angle = std::atan(slides);
-    return {{"slope, tan 0.49 under friction 0.5: way in 2 s [mm]", "verlet", 0,
-             1e3 * slide(holds, friction).way, 1, "4 x 4"},
-            {"slope, tan 0.8 over friction 0.5: acceleration [m/s\u00b2]", "verlet",
-             gravity * (std::sin(angle) - friction * std::cos(angle)), slide(slides, friction).acceleration,
-             0.01, "4 x 4"}};
+    return {
+        {"slope, tan 0.49 under friction 0.5: way in 2 s [mm]", "verlet", 0,
+         1e3 * slide_down(holds, friction).way, 1, "4 x 4"},
+        {"slope, tan 0.8 over friction 0.5: acceleration [m/s\u00b2]", "verlet",
+         sliding_acceleration(slides, friction), slide_down(slides, friction).acceleration, 0.01, "4 x 4"}};
 }
 
 }  // namespace drape

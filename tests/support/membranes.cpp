@@ -35,17 +35,4 @@ std::vector<NamedPose> membrane_poses(const Mesh& mesh) {
     return poses;
 }
 
-Mesh hanging_strip(double width, double length, int columns, int rows, double jitter) {
-    Mesh mesh = make_pattern("alternating", {width, length, columns, rows});
-    const Points shift = random_points(mesh.vertices(), jitter, 11);
-    for (int v = 0; v < mesh.vertices(); ++v) {
-        const double x = mesh.rest(0, v), z = mesh.rest(2, v);
-        const bool inner = std::abs(x) < 0.49 * width && std::abs(z) < 0.49 * length;
-        const Vec3 moved = inner ? Vec3(x + shift(0, v) * width / columns, 0, z + shift(2, v) * length / rows)
-                                 : Vec3(x, 0, z);
-        mesh.rest.col(v) = Vec3(moved.x(), moved.z() - length / 2, 0);
-    }
-    return mesh;
-}
-
 }  // namespace drape::test

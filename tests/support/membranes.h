@@ -23,8 +23,4 @@ struct NamedPose {
 // in space and bent a little out of its plane.
 std::vector<NamedPose> membrane_poses(const Mesh& mesh);
 
-// A strip that hangs from its upper edge, x across, y up, its top at y = 0: `rows` times `columns` cells of a
-// grid whose inner vertices are shifted by up to `jitter` of a cell.
-Mesh hanging_strip(double width, double length, int columns, int rows, double jitter = 0);
-
 }  // namespace drape::test
