@@ -88,7 +88,7 @@ std::string legend(const std::vector<std::string>& names) {
 }
 
 LabFigure polar_figure(const std::vector<PatternStiffness>& all, const std::vector<Law>& kinds) {
-    const std::vector<std::string> patterns = names_of(pattern_kinds());
+    const std::vector<std::string> patterns = even_patterns();
     PanelGrid grid{static_cast<int>(kinds.size()), 2, 270, 270};
     grid.left = 46, grid.right = 20, grid.across = 16, grid.down = 44, grid.top = 92, grid.bottom = 60;
     double reach = 1.2;
@@ -245,8 +245,8 @@ LabResult run_anisotropy() {
     const std::vector<Law> kinds = stretch_laws();
     std::vector<PatternStiffness> all;
     for (const Law& law : kinds)
-        for (const PatternKind& pattern : pattern_kinds())
-            all.push_back(pattern_stiffness(pattern.name, law, divisions, 1));
+        for (const std::string& pattern : even_patterns())
+            all.push_back(pattern_stiffness(pattern, law, divisions, 1));
     const std::vector<FinenessRow> rows = measure_fineness(kinds);
     LabResult result;
     result.claim = claim_of(all, rows, kinds);

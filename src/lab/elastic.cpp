@@ -1,6 +1,8 @@
 #include "lab/elastic.h"
 
+#include "base/names.h"
 #include "force/kinds.h"
+#include "mesh/pattern.h"
 
 namespace drape {
 
@@ -10,6 +12,12 @@ Mesh lone_triangle(double base, double along, double above) {
     Faces face(3, 1);
     face << 0, 1, 2;
     return plain_mesh(rest, face);
+}
+
+std::vector<std::string> even_patterns() {
+    std::vector<std::string> even = names_of(pattern_kinds());
+    std::erase(even, "adaptive");
+    return even;
 }
 
 std::vector<std::unique_ptr<Force>> elastic_forces(const Cloth& cloth) {

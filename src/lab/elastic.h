@@ -19,6 +19,9 @@ struct Law {
 // stands above the place `along` the base, from 0 to 1, its height a share `above` of the base.
 Mesh lone_triangle(double base, double along, double above);
 
+// Patterns whose triangles are alike everywhere: all but `adaptive`.
+std::vector<std::string> even_patterns();
+
 // Of springs, altitudes, membrane and bending, those that the fabric has.
 std::vector<std::unique_ptr<Force>> elastic_forces(const Cloth& cloth);
 

@@ -6,10 +6,14 @@
 namespace drape {
 
 LabResult run_anisotropy();
+LabResult run_folds();
 LabResult run_density();
 LabResult run_compression();
+LabResult run_squeeze();
 LabResult run_erratum();
 LabResult run_jumps();
+LabResult run_jitter();
+LabResult run_conflict();
 LabResult run_fabric();
 LabResult run_validation();
 
