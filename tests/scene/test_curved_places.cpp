@@ -10,7 +10,6 @@
 #include "support/temporary_folder.h"
 
 using namespace drape;
-using namespace drape::test;
 
 TEST_CASE("a pattern is finer where a run's cache or mesh was ever curved", "[scene]") {
     const TemporaryFolder folder;
