@@ -13,6 +13,7 @@
 #include "app/verbs.h"
 #include "app/version.h"
 #include "base/names.h"
+#include "base/plain_line.h"
 #include "compare/metrics.h"
 
 namespace drape {
@@ -419,6 +420,11 @@ int parse_and_run(int argc, char** argv) {
     return static_cast<int>(action());
 }
 
+int complain(const char* message, Exit code) {
+    std::fprintf(stderr, "drape: %s\n", plain_line(message).c_str());
+    return static_cast<int>(code);
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
@@ -427,15 +433,12 @@ int run_command_line(int argc, char** argv) {
     try {
         return parse_and_run(argc, argv);
     } catch (const Error& error) {
-        std::fprintf(stderr, "drape: %s\n", error.what());
-        return static_cast<int>(error.code());
+        return complain(error.what(), error.code());
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "drape: out of memory\n");
-        return static_cast<int>(Exit::went_wrong);
+        return complain("out of memory", Exit::went_wrong);
     } catch (const std::exception& error) {
         // what a library throws: no threads, a folder that goes away
-        std::fprintf(stderr, "drape: %s\n", error.what());
-        return static_cast<int>(Exit::went_wrong);
+        return complain(error.what(), Exit::went_wrong);
     }
 }
 

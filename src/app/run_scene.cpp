@@ -17,6 +17,7 @@
 #include "app/verbs.h"
 #include "app/verification.h"
 #include "app/version.h"
+#include "base/plain_line.h"
 #include "io/write_file.h"
 #include "picture/palette.h"
 #include "report/report.h"
@@ -293,7 +294,8 @@ void Run::finish(bool complete) {
         fs::remove(kept_positions_of(out_), none);
     }
     if (!options_.quiet) {
-        for (const std::string& note : report_.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+        for (const std::string& note : report_.notes)
+            std::fprintf(stderr, "note: %s\n", plain_line(note).c_str());
         std::fputs(report_summary(report_).c_str(), stdout);
         if (complete && verification_) std::printf("  %s\n", verification_->summary(drawn_[1]).c_str());
         std::printf("  %s\n", out_.c_str());

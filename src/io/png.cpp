@@ -12,6 +12,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "base/plain_line.h"
 #include "io/read_file.h"
 
 namespace {
@@ -118,7 +119,7 @@ Image decode_png(const std::string& path, std::string_view bytes) {
         stbi_load_from_memory(reinterpret_cast<const unsigned char*>(bytes.data()),
                               static_cast<int>(bytes.size()), &width, &height, &channels, 3),
         std::free);
-    if (!pixels) throw Error(cat(path, ": is not a PNG picture: ", stbi_failure_reason()));
+    if (!pixels) throw Error(cat(path, ": is not a PNG picture: ", plain_line(stbi_failure_reason())));
     Image image(width, height);
     std::copy_n(pixels.get(), image.rgb.size(), image.rgb.begin());
     return image;

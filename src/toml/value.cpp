@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/plain_line.h"
 
 namespace drape {
 
@@ -39,12 +40,7 @@ std::string description_of(const Value& value) {
 
 std::string in_quotes(std::string_view text) {
     constexpr size_t longest = 60;
-    std::string result = "\"";
-    for (const char c : text.substr(0, longest)) {
-        const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-        result += control ? '?' : c;
-    }
-    return result + (text.size() > longest ? "...\"" : "\"");
+    return cat('"', plain_line(text.substr(0, longest)), text.size() > longest ? "...\"" : "\"");
 }
 
 }  // namespace drape

@@ -96,6 +96,8 @@ TEST_CASE("a wrong scene is one line with its place, and exit 2", "[app]") {
     refused("simulate", "schema = 1\n[scene]\nduration = 0.01\n[[cloth]]\nmesh = \"x.obj\"\n", "frames");
     refused("simulate", "schema = 1\n[[cloth]]\nmesh = \"x.obj\"\nfabric = \"cotton\"\n",
             "x.obj: no such file");
+    refused("simulate", "schema = 1\n[[cloth]]\nmesh = \"x\\ny\\u001b[2J.obj\"\nfabric = \"cotton\"\n",
+            "x?y?[2J.obj: no such file");
     refused("simulate", "schema = 1\n[[cloth]]\nmesh = \"x.obj\"\nfabric = { density = -1 }\n", "density");
 }
 
