@@ -12,7 +12,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
-#include "base/plain_line.h"
+#include "io/png_chunks.h"
 #include "io/read_file.h"
 
 namespace {
@@ -114,12 +114,13 @@ Image read_png(const std::string& path) {
 
 Image decode_png(const std::string& path, std::string_view bytes) {
     demand_room(path, bytes);
+    const std::string plain = plain_png(path, bytes);
     int width = 0, height = 0, channels = 0;
     const std::unique_ptr<unsigned char, decltype(&std::free)> pixels(
-        stbi_load_from_memory(reinterpret_cast<const unsigned char*>(bytes.data()),
-                              static_cast<int>(bytes.size()), &width, &height, &channels, 3),
+        stbi_load_from_memory(reinterpret_cast<const unsigned char*>(plain.data()),
+                              static_cast<int>(plain.size()), &width, &height, &channels, 3),
         std::free);
-    if (!pixels) throw Error(cat(path, ": is not a PNG picture: ", plain_line(stbi_failure_reason())));
+    if (!pixels) throw Error(cat(path, ": is not a PNG picture: ", stbi_failure_reason()));
     Image image(width, height);
     std::copy_n(pixels.get(), image.rgb.size(), image.rgb.begin());
     return image;
