@@ -84,10 +84,10 @@ std::unique_ptr<SelfContact> SelfContact::make(const Model& model, const Vec3& g
         }
     }
     return std::unique_ptr<SelfContact>(
-        new SelfContact(model, std::move(layers), std::move(thickness), ranges_of(model)));
+        new SelfContact(model, std::move(layers), thickness, ranges_of(model)));
 }
 
-SelfContact::SelfContact(const Model& model, std::vector<Layers> layers, std::vector<double> thickness,
+SelfContact::SelfContact(const Model& model, std::vector<Layers> layers, const std::vector<double>& thickness,
                          std::vector<std::pair<int, int>> ranges)
     : model_(model),
       faces_(faces_of(model)),

@@ -71,7 +71,7 @@ private:
         double stiffness, damping;  // [N/m], [N s/m]
         double fading;              // stiffness of its fading potential [N/m]
     };
-    SelfContact(const Model& model, std::vector<Layers> layers, std::vector<double> thickness,
+    SelfContact(const Model& model, std::vector<Layers> layers, const std::vector<double>& thickness,
                 std::vector<std::pair<int, int>> ranges);
 
     const Layers& layers(const SelfPair& pair) const { return layers_[static_cast<size_t>(pair.layers)]; }

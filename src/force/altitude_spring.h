@@ -35,7 +35,7 @@ enum class FootSharing {
 // W for the triangle, so that the energy is continuous where the choice changes; the force is not.
 class AltitudeSprings final : public Force {
 public:
-    AltitudeSprings(const Cloth& cloth, FootSharing sharing = FootSharing::lever);
+    explicit AltitudeSprings(const Cloth& cloth, FootSharing sharing = FootSharing::lever);
 
     double energy(In x) const override;
     void add_conservative(In x, Out f) const override;

@@ -105,7 +105,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
         stbi_write_png_to_mem(image.rgb.data(), 3 * image.width, image.width, image.height, 3, &size),
         std::free);
     if (!png) throw std::bad_alloc();
-    return {png.get(), png.get() + size};
+    return std::vector<std::uint8_t>(png.get(), png.get() + size);
 }
 
 Image read_png(const std::string& path) {

@@ -22,8 +22,8 @@ double uniform(std::mt19937_64& random) {
 
 class Points2 {
 public:
-    Points2(const Eigen::Matrix2Xd& border, const SizeField& edge_length) : edge_length_(edge_length) {
-        low_ = border.rowwise().minCoeff();
+    Points2(const Eigen::Matrix2Xd& border, const SizeField& edge_length)
+        : edge_length_(edge_length), low_(border.rowwise().minCoeff()) {
         const Vec2 span = border.rowwise().maxCoeff() - low_;
         double longest = 0;
         for (int i = 0; i < border.cols(); ++i) longest = std::max(longest, edge_length(border.col(i)));

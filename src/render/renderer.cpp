@@ -306,8 +306,8 @@ Image Renderer::Parts::read() const {
     return image;
 }
 
-Renderer::Renderer(const RenderSettings& settings, std::vector<DrawnCloth> cloths,
-                   std::vector<DrawnSolid> solids, Backend backend)
+Renderer::Renderer(const RenderSettings& settings, const std::vector<DrawnCloth>& cloths,
+                   const std::vector<DrawnSolid>& solids, Backend backend)
     : parts_(std::make_unique<Parts>(settings, make_context(backend), cloths, solids)) {}
 
 Renderer::~Renderer() = default;

@@ -21,8 +21,8 @@ struct StageTime {
 class Renderer {
 public:
     // Throws Error (Exit::cannot_write) if the context cannot be made or a shader does not compile.
-    Renderer(const RenderSettings& settings, std::vector<DrawnCloth> cloths, std::vector<DrawnSolid> solids,
-             Backend backend = Backend::osmesa);
+    Renderer(const RenderSettings& settings, const std::vector<DrawnCloth>& cloths,
+             const std::vector<DrawnSolid>& solids, Backend backend = Backend::osmesa);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
