@@ -24,6 +24,7 @@ std::string joined(const std::vector<std::string>& words);
 template <class Table>
 std::vector<std::string> names_of(const Table& table) {
     std::vector<std::string> names;
+    names.reserve(std::size(table));
     for (const auto& row : table) names.emplace_back(row.name);
     return names;
 }

@@ -32,24 +32,34 @@ std::string_view chunk_at(std::string_view bytes, size_t at, std::string_view ty
     return bytes.substr(begin, size);
 }
 
+size_t whole(const Json& number) {
+    if (!number.is_number_unsigned())
+        throw Error(cat("has a ", number.type_name(), " where a whole number from 0 on is due"));
+    return number.get<size_t>();
+}
+
+size_t offset_in(const Json& object, size_t bytes) {
+    const size_t offset = object.contains("byteOffset") ? whole(object["byteOffset"]) : 0;
+    if (offset > bytes) throw Error(cat("an accessor reaches beyond its ", bytes, " bytes"));
+    return offset;
+}
+
 // Tightly packed floats, `rows` of them an element.
 Eigen::MatrixXf floats_of(const Json& json, std::string_view binary, const Json& index, const char* type,
                           int rows) {
-    const Json& accessor = json.at("accessors").at(index.get<size_t>());
-    const Json& view = json.at("bufferViews").at(accessor.at("bufferView").get<size_t>());
-    const auto begin =
-        view.value("byteOffset", std::uint64_t{0}) + accessor.value("byteOffset", std::uint64_t{0});
-    const auto count = accessor.at("count").get<std::uint64_t>();
-    const std::uint64_t element = sizeof(float) * static_cast<std::uint64_t>(rows);
+    const Json& accessor = json.at("accessors").at(whole(index));
+    const Json& view = json.at("bufferViews").at(whole(accessor.at("bufferView")));
+    const size_t count = whole(accessor.at("count")), element = sizeof(float) * static_cast<size_t>(rows);
     if (accessor.at("componentType") != real || accessor.at("type") != type || accessor.contains("sparse") ||
-        view.value("byteStride", element) != element)
+        (view.contains("byteStride") && view["byteStride"] != element))
         throw Error(cat("holds its positions in another way than as packed ", type, " of floats"));
-    if (begin > binary.size() || count > (binary.size() - begin) / element)
+    binary.remove_prefix(offset_in(view, binary.size()));
+    binary.remove_prefix(offset_in(accessor, binary.size()));
+    if (count > binary.size() / element)
         throw Error(cat("an accessor reaches beyond its ", binary.size(), " bytes"));
     Eigen::MatrixXf numbers(rows, static_cast<Eigen::Index>(count));
     for (Eigen::Index i = 0; i < numbers.size(); ++i)
-        numbers.data()[i] =
-            number_at<float>(binary.data() + begin + sizeof(float) * static_cast<size_t>(i), little);
+        numbers.data()[i] = number_at<float>(binary.data() + sizeof(float) * static_cast<size_t>(i), little);
     return numbers;
 }
 
@@ -63,6 +73,11 @@ Cache cache_of(const Json& json, std::string_view binary) {
     cache.samples.push_back(points_of(json, binary, primitive.at("attributes")));
     cache.times.push_back(0);
     if (!primitive.contains("targets")) return cache;
+    // or many targets of the same bytes would take memory without end
+    const auto samples = primitive["targets"].size() + 1,
+               vertices = static_cast<size_t>(cache.samples[0].cols());
+    if (vertices > 0 && samples > binary.size() / (3 * sizeof(float)) / vertices)
+        throw Error(cat("has more morph targets than its ", binary.size(), " bytes can hold"));
     for (const Json& target : primitive.at("targets")) {
         const Points displacements = points_of(json, binary, target);
         if (displacements.cols() != cache.samples[0].cols())

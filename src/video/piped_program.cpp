@@ -28,6 +28,7 @@ void close_if_open(int& descriptor) {
 // Error number of posix_spawnp; the program is in a group of its own, so that Ctrl-C is drape's to handle.
 int spawn(std::vector<std::string> words, int reads, int says, pid_t& process) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;

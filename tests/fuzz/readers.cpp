@@ -21,6 +21,7 @@
 #include "scene/scene_text.h"
 #include "simulate/checkpoint.h"
 #include "simulate/delivery.h"
+#include "support/glb_bytes.h"
 
 namespace drape::test {
 
@@ -95,6 +96,16 @@ void read_an_mdd(std::string_view bytes) {
     read_a_cache("fuzzed.mdd", bytes);
 }
 
+// As it is, then as the JSON up to a zero and the bytes that its numbers are in: no fuzzer finds the sizes
+// before them.
+void read_a_glb(std::string_view bytes) {
+    read_a_cache("fuzzed.glb", bytes);
+    const size_t end = std::min(bytes.find('\0'), bytes.size());
+    const std::string_view json = bytes.substr(0, end),
+                           binary = bytes.substr(std::min(end + 1, bytes.size()));
+    read_a_cache("fuzzed.glb", glb_bytes(json, binary));
+}
+
 // The PNG with the checksums that its chunks should have, as far as they lie within it.
 std::string with_checksums(std::string png) {
     constexpr size_t signature = 8, number = 4, type = 4;
@@ -147,10 +158,15 @@ void read_a_checkpoint(std::string_view bytes) {
 }
 
 constexpr std::array readers{
-    FuzzedReader{"scene", read_a_scene}, FuzzedReader{"keyframes", read_keyframes},
-    FuzzedReader{"obj", read_an_obj},    FuzzedReader{"ply", read_a_ply},
-    FuzzedReader{"pc2", read_a_pc2},     FuzzedReader{"mdd", read_an_mdd},
-    FuzzedReader{"png", read_a_png},     FuzzedReader{"checkpoint", read_a_checkpoint},
+    FuzzedReader{"scene", read_a_scene},
+    FuzzedReader{"keyframes", read_keyframes},
+    FuzzedReader{"obj", read_an_obj},
+    FuzzedReader{"ply", read_a_ply},
+    FuzzedReader{"pc2", read_a_pc2},
+    FuzzedReader{"mdd", read_an_mdd},
+    FuzzedReader{"glb", read_a_glb},
+    FuzzedReader{"png", read_a_png},
+    FuzzedReader{"checkpoint", read_a_checkpoint},
 };
 
 }  // namespace

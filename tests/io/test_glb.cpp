@@ -14,6 +14,7 @@
 #include "io/cache_writer.h"
 #include "io/load_mesh.h"
 #include "mesh/pattern.h"
+#include "support/glb_bytes.h"
 #include "support/meshes.h"
 #include "support/temporary_folder.h"
 
@@ -245,4 +246,23 @@ TEST_CASE("a glTF cache beyond 4 GiB is refused before the run and a foreign one
     CHECK(error_of([&] {
               read_cache(folder.file("c.glb", other));
           }).find("c.glb: is not a glTF of one mesh") != std::string::npos);
+}
+
+TEST_CASE("a glTF cache that says more than its bytes hold is refused", "[io]") {
+    const TemporaryFolder folder;
+    const auto refusal = [&](const std::string& targets, const std::string& view) {
+        const std::string json =
+            R"({"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [)" + targets +
+            R"(]}]}], "bufferViews": [{)" + view +
+            R"(}], "accessors": [{"bufferView": 0, "componentType": 5126, "count": 2, "type": "VEC3"}]})";
+        return error_of([&] { read_cache(folder.file("a.glb", test::glb_bytes(json, std::string(24, 0)))); });
+    };
+    const std::string target = R"({"POSITION": 0})";
+    CHECK(refusal(target, "").find("more morph targets than its 24 bytes can hold") != std::string::npos);
+    CHECK(refusal(target, R"("byteOffset": 25)").find("beyond its 24 bytes") != std::string::npos);
+    CHECK(refusal(target, R"("byteOffset": 18446744073709551612)").find("beyond its 24") !=
+          std::string::npos);
+    CHECK(refusal(target, R"("byteOffset": -4)").find("has a number where a whole number") !=
+          std::string::npos);
+    CHECK(refusal(target, R"("byteOffset": "4")").find("has a string where") != std::string::npos);
 }
