@@ -3,6 +3,7 @@
 
 #include "app/verbs.h"
 #include "app/version.h"
+#include "base/plain_line.h"
 #include "base/shell_word.h"
 #include "compare/accept.h"
 #include "compare/compare.h"
@@ -21,8 +22,8 @@ void print(const Comparison& comparison) {
     for (const Compared& file : comparison.files) {
         if (file.why.empty()) continue;
         if (told++ < most_lines)
-            std::printf("%s: %s: %s\n", file.name.c_str(), std::string(verdict_name(file.verdict)).c_str(),
-                        file.why.c_str());
+            std::printf("%s: %s: %s\n", plain_line(file.name).c_str(),
+                        std::string(verdict_name(file.verdict)).c_str(), file.why.c_str());
     }
     if (told > most_lines) std::printf("and %zu more\n", told - most_lines);
     std::string counts;

@@ -5,6 +5,7 @@
 
 #include "app/demo_scenes.h"
 #include "app/verbs.h"
+#include "base/plain_line.h"
 #include "io/load_mesh.h"
 #include "mesh/crossings.h"
 #include "mesh/quality.h"
@@ -125,7 +126,8 @@ Exit inspect_mesh(const std::string& path) {
                 crossings.pairs);
     if (crossings.pairs > 0) std::printf(", the first %d and %d", crossings.first[0], crossings.first[1]);
     std::printf("\n");
-    for (const std::string& note : loaded.notes) std::printf("  note                %s\n", note.c_str());
+    for (const std::string& note : loaded.notes)
+        std::printf("  note                %s\n", plain_line(note).c_str());
     return Exit::done;
 }
 
@@ -134,15 +136,16 @@ Exit inspect_scene(const std::string& path, const std::vector<std::string>& over
     Built built = build_scene(scene);
     const Course course = course_of(built.setup, scene.accuracy);
     const Simulation simulation(course.first);
-    std::printf("%s: %s, %d frames at %g a second\n", path.c_str(), scene.name.c_str(), simulation.frames(),
-                simulation.frame_rate());
+    std::printf("%s: %s, %d frames at %g a second\n", path.c_str(), plain_line(scene.name).c_str(),
+                simulation.frames(), simulation.frame_rate());
     const std::vector<Cloth>& cloths = simulation.model().cloths;
     for (size_t c = 0; c < cloths.size(); ++c) {
         std::printf("cloth %zu\n", c + 1);
         print_mesh(cloths[c].mesh);
         print_fabric(cloths[c]);
     }
-    for (const std::string& note : built.notes) std::printf("  note                %s\n", note.c_str());
+    for (const std::string& note : built.notes)
+        std::printf("  note                %s\n", plain_line(note).c_str());
     print_plan(simulation.plan());
     print_step(simulation, course);
     std::printf("effective scene\n%s", scene_text(scene).c_str());

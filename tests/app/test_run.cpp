@@ -220,6 +220,16 @@ TEST_CASE("inspect prints plan, mesh, step and a scene that reads back as itself
     CHECK(again.out.substr(again.out.find("schema = 1")) == scene);
 }
 
+TEST_CASE("a name with line breaks and colours in it stays one line without any", "[app]") {
+    const TemporaryFolder folder;
+    const Ran ran = run_drape(
+        {"inspect", folder.file("drop.toml", small_drop()), "--set", "scene.name=\"a\\nb\\u001b[31m\""});
+    CAPTURE(ran.out, ran.err);
+    CHECK(ran.exit_code == 0);
+    CHECK_THAT(ran.out, Catch::Contains("drop.toml: a?b?[31m, "));
+    CHECK(ran.out.find('\x1b') == std::string::npos);
+}
+
 TEST_CASE("inspect says any step where nothing binds one", "[app]") {
     const TemporaryFolder folder;
     const Ran ran = run_drape(
