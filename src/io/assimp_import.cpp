@@ -110,7 +110,7 @@ private:
             xyz_.insert(xyz_.end(), {p.x(), p.y(), p.z()});
             const aiColor4D colour = mesh.HasVertexColors(0) ? mesh.mColors[0][i] : aiColor4D();
             const bool is_mark =
-                colour.r >= 0 && colour.r < mark_base && colour.g >= 0 && colour.g < mark_base / 2;
+                colour.r >= 0 && colour.r < mark_base && colour.g >= 0 && 2 * colour.g < mark_base;
             mark_.push_back(is_mark ? static_cast<int>(colour.r) + mark_base * static_cast<int>(colour.g)
                                     : -1);
         }

@@ -75,7 +75,7 @@ Cache read_mdd(const std::string& path, std::string_view bytes) {
 }
 
 std::string check_ending(const std::string& path) {
-    const std::string ending = ending_of(path);
+    std::string ending = ending_of(path);
     if (!is_readable_cache(path))
         throw Error(
             cat(path, ": cannot read a cache that ends in \"", ending, "\" (known: .pc2, .mdd, .glb)"));
