@@ -106,10 +106,7 @@ struct PatternOptions {
     std::uint64_t seed = 1;
     // as the keys of a scene's pattern are written; "" = not given
     std::string over, hole, outline, finer;
-    std::string remesh;                // a mesh file to fill anew; "" = none
-};                                     // width, depth [m]
-std::array<int, 2> divisions{32, 32};  // columns, rows
-std::uint64_t seed = 1;
+    std::string remesh;  // a mesh file to fill anew; "" = none
 };
 
 }  // namespace drape
