@@ -140,7 +140,8 @@ private:
                    uvs = static_cast<long long>(uv_.size() / 2);
         for (const Face& face : faces_) {
             for (int i = 0; i < face.corners; ++i) {
-                const Corner& corner = corners_[static_cast<size_t>(face.first_corner + i)];
+                const Corner& corner =
+                    corners_[static_cast<size_t>(face.first_corner) + static_cast<size_t>(i)];
                 if (corner.vertex > vertices)
                     fail(face.line,
                          cat("vertex ", corner.vertex, " of ", vertices, " (1 to ", vertices, ")"));
@@ -173,7 +174,8 @@ private:
         for (const Face& face : faces_) {
             plain += 'f';
             for (int i = 0; i < face.corners; ++i) {
-                const Corner& corner = corners_[static_cast<size_t>(face.first_corner + i)];
+                const Corner& corner =
+                    corners_[static_cast<size_t>(face.first_corner) + static_cast<size_t>(i)];
                 add(corner.vertex);
                 if (corner.uv == 0) continue;
                 plain += '/';
