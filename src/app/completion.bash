@@ -40,7 +40,7 @@ _drape() {
         inspect) words="--set --help" ;;
         study) words="--out --set --until --repeats --budget --method --refine --quiet --help" ;;
         stability) words="--out --set --method --runs --threads --full --quiet --help" ;;
-        lab) words="anisotropy folds density compression squeeze erratum jumps jitter conflict fabric validation fit --out --bending-length --density --quiet --help" ;;
+        lab) words="anisotropy folds density compression erratum jumps jitter fabric validation fit --out --bending-length --density --quiet --help" ;;
         compare) words="--share --mean --rms --limit --ignore --perceptual --hausdorff --html --json --junit --accept --quiet --help" ;;
         gallery) words="--out --only --quick --threads --quiet --help" ;;
         video) words="--out --fps --speed --boomerang --loop --caption --no-caption --width --at-most --side-by-side --label --columns --difference --quiet --help" ;;

@@ -74,7 +74,6 @@ void drop(Model model, const Points& start, CusickDrape& drape) {
     setup.frame_rate = 1 / frame;
     setup.frames = most_frames;
     Simulation simulation(std::move(setup));
-    drape.omega = simulation.spectrum().omega;
     while (!drape.at_rest && simulation.frame() < most_frames) {
         const FrameReport report = simulation.advance();
         if (!report.trouble.empty()) throw Error(cat("a disc that drapes: ", report.trouble));

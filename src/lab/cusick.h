@@ -17,7 +17,6 @@ struct CusickDrape {
     double coefficient = 0;  // [-]
     int folds = 0;           // round the hem
     bool at_rest = false;
-    double omega = 0;  // of the fastest mode of the flat disc; 0 where implicit steps were taken [1/s]
 };
 
 CusickDrape drape_disc(const Fabric& fabric, double edge, std::uint64_t seed = 1);

@@ -30,7 +30,7 @@ constexpr double noise = 1e-4;                   // out of the plane at the star
 constexpr double still = 1e-5;                   // [m]
 constexpr double inner = 0.8;                    // share of the radius within which vertices count
 constexpr double near_line = 15 * pi / 180;      // [rad]
-constexpr int divisions = 26, starts = 3;
+constexpr int divisions = 16, starts = 3;
 
 // Springs as the notes have them, and hinges that let a fold be some edges wide.
 Fabric folding_fabric() {
@@ -215,9 +215,11 @@ LabResult run_folds() {
         "bending. "
         "Where the sheet came to rest, each vertex's curvature counts towards the direction of the fold line "
         "it lies on.",
-        "Lines of a mesh along which springs run through are stiff, and a sheet gives way across them by "
-        "folding along what is left. The less even the stiffness of a pattern by direction, the less even "
-        "are its folds."};
+        "Where diagonals meet in one vertex in eight and pass by the next, as on alternating and crossed "
+        "meshes, "
+        "folds keep to the mesh's lines and turn sharply from one to another. One_way triangles, all alike, "
+        "prefer "
+        "a direction less, equilateral and irregular ones none to speak of: there folds curve."};
     result.figures = {rose_figure(roses)};
     result.tables = {table};
     result.csv = {{"folds", rose_csv(roses)}};

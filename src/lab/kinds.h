@@ -9,11 +9,9 @@ LabResult run_anisotropy();
 LabResult run_folds();
 LabResult run_density();
 LabResult run_compression();
-LabResult run_squeeze();
 LabResult run_erratum();
 LabResult run_jumps();
 LabResult run_jitter();
-LabResult run_conflict();
 LabResult run_fabric();
 LabResult run_validation();
 
