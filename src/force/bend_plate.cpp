@@ -49,7 +49,8 @@ Rows rows_of(const UpperRows& k) {
 // and far from the origin, and what i feels j feels the other way.
 
 // f -= K (x + tau v) for one cloth; returns v' K v
-DRAPE_WIDE double multiply(const Rows k, const double* x, const double* v, double tau, double* f) {
+DRAPE_WIDE double multiply(const Rows& rows, const double* x, const double* v, double tau, double* f) {
+    const Rows k = rows;  // stores do not change it, which the compiler would doubt of what lies elsewhere
     Lanes heat = {};
     for (int i = 0; i < k.count; ++i) {
         Lanes own_x, own_v, sum, pull = {}, kv = {};
@@ -77,7 +78,8 @@ DRAPE_WIDE double multiply(const Rows k, const double* x, const double* v, doubl
 }
 
 // f -= K x
-DRAPE_WIDE void multiply(const Rows k, const double* x, double* f) {
+DRAPE_WIDE void multiply(const Rows& rows, const double* x, double* f) {
+    const Rows k = rows;
     for (int i = 0; i < k.count; ++i) {
         Lanes own, sum, pull = {};
         load(own, x + 4 * i);

@@ -15,8 +15,8 @@ using Vec2 = Eigen::Vector2d;
 // Finds the triangle that a place of the plane lies in.
 class Finder {
 public:
-    Finder(const Faces& faces, const Eigen::Matrix2Xd& place) : faces_(faces), place_(place) {
-        low_ = place.rowwise().minCoeff();
+    Finder(const Faces& faces, const Eigen::Matrix2Xd& place)
+        : faces_(faces), place_(place), low_(place.rowwise().minCoeff()) {
         const Vec2 extent = place.rowwise().maxCoeff() - low_;
         cell_ = std::sqrt(extent.prod() / static_cast<double>(faces.cols()));
         columns_ = static_cast<int>(extent.x() / cell_) + 1;
