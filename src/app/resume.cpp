@@ -38,6 +38,12 @@ std::string kept_positions_of(const std::string& folder) {
     return folder + "/positions";
 }
 
+void forget_checkpoint(const std::string& folder) {
+    std::error_code none;
+    std::filesystem::remove(checkpoint_of(folder), none);
+    std::filesystem::remove(kept_positions_of(folder), none);
+}
+
 void identify(Checkpoint& run, SceneDescription scene, const std::string& method,
               const std::vector<long>& steps) {
     scene.expected.reset();

@@ -13,6 +13,7 @@ namespace drape {
 
 std::string checkpoint_of(const std::string& folder);
 std::string kept_positions_of(const std::string& folder);
+void forget_checkpoint(const std::string& folder);  // and the positions kept for it, if there are any
 
 // What tells a checkpoint's run from others: the scene without what is expected of it, and the method and the
 // steps of every frame where they are given. Fills in `scene` and `steps`.

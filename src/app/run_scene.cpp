@@ -192,9 +192,8 @@ void Run::prepare_folder() {
     make_folder(out_);
     remove_leftovers(out_);
     if (options_.resume) return;
+    forget_checkpoint(out_);
     std::error_code trouble;
-    fs::remove(checkpoint_of(out_), trouble);
-    fs::remove(kept_positions_of(out_), trouble);
     if (options_.frames || !options_.pictures) return;
     for (const auto& entry : fs::directory_iterator(out_, trouble)) {
         const std::string name = entry.path().filename().string();
@@ -288,11 +287,7 @@ void Run::finish(bool complete) {
     report_.times.total = process_cpu_seconds() + report_.times.video;
     report_.times.wall = wall_.seconds();
     write_file(out_ + "/report.json", report_json(report_));
-    if (complete) {
-        std::error_code none;
-        fs::remove(checkpoint_of(out_), none);
-        fs::remove(kept_positions_of(out_), none);
-    }
+    if (complete) forget_checkpoint(out_);
     if (!options_.quiet) {
         for (const std::string& note : report_.notes)
             std::fprintf(stderr, "note: %s\n", plain_line(note).c_str());

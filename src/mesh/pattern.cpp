@@ -17,12 +17,14 @@ namespace {
 constexpr long long most_vertices = 20'000'000;
 
 constexpr std::array kinds{
-    PatternKind{"one_way", "every diagonal the same way: stiffer along it, folds follow it", make_one_way,
-                true, 2},
-    PatternKind{"alternating", "diagonals alternate from quad to quad: no direction preferred among the two",
-                make_alternating, true, 2},
-    PatternKind{"crossed", "both diagonals of each quad, through a vertex in its centre", make_crossed, false,
-                4},
+    PatternKind{"one_way", "every diagonal the same way: stiffer along it", make_one_way, true, 2},
+    PatternKind{
+        "alternating",
+        "diagonals alternate from quad to quad: nearly as stiff along all, folds follow rows and columns",
+        make_alternating, true, 2},
+    PatternKind{"crossed",
+                "both diagonals of each quad, through a vertex in its centre: folds follow diagonals",
+                make_crossed, false, 4},
     PatternKind{
         "equilateral",
         "equilateral triangles as wide as a column, in as many rows as fit: the same in all directions",
