@@ -94,7 +94,7 @@ void Contact::add_conservative(In x, double time, Out f) const {
     if (self_) self_->add_conservative(x, f);
 }
 
-ObstacleContact::Result Contact::add_all(In x, In v, double time, Out f) {
+ObstacleContact::Result Contact::add_all(In x, In v, double time, Out f, NormalDamping damping) {
     ObstacleContact::Result all;
     const auto include = [&](const ObstacleContact::Result& result) {
         all.dissipated += result.dissipated;
@@ -104,8 +104,8 @@ ObstacleContact::Result Contact::add_all(In x, In v, double time, Out f) {
         all.contacts += result.contacts;
         all.crossed = all.crossed || result.crossed;
     };
-    for (ObstacleContact& pair : pairs_) include(pair.add_all(x, v, time, f));
-    if (self_) include(self_->add_all(x, v, f));
+    for (ObstacleContact& pair : pairs_) include(pair.add_all(x, v, time, f, damping));
+    if (self_) include(self_->add_all(x, v, f, damping));
     return all;
 }
 

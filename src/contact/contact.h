@@ -28,7 +28,8 @@ public:
 
     double energy(In x, double time) const;
     void add_conservative(In x, double time, Out f) const;
-    ObstacleContact::Result add_all(In x, In v, double time, Out f);
+    ObstacleContact::Result add_all(In x, In v, double time, Out f,
+                                    NormalDamping damping = NormalDamping::force);
     // for implicit methods, as in ObstacleContact
     void add_couplings(Couplings& couplings) const;
     void add_stiffness(In x, In v, double time, BlockMatrix& k) const;

@@ -106,9 +106,10 @@ void ObstacleContact::add_conservative(In x, double time, Out f) const {
     }
 }
 
-ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f) {
+ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f, NormalDamping damping) {
     const MovingPose moving = obstacle_.motion.at(time);
     touches_.clear();
+    damping_ = damping;
     Result result;
     for (const int i : near_) {
         const ContactPoint& point = points_[static_cast<size_t>(i)];
@@ -128,11 +129,12 @@ ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f)
         if (gap >= barrier_.thickness) continue;
 
         const double stiffness = barrier_.stiffness(gap), pressure = barrier_.pressure(gap);
-        const double damping = damping_at(stiffness);
-        const double total = std::max(pressure - damping * opening, 0.0);
+        const double rate = damping_at(stiffness);
+        const double total =
+            damping == NormalDamping::force ? std::max(pressure - rate * opening, 0.0) : pressure;
         push(point, point.area * total * s.normal, f.data());
         touches_.push_back({&point, s.normal, surface_velocity, point.area * total, point.area * stiffness,
-                            point.area * damping});
+                            point.area * rate});
         add_rows(touches_.back());
         result.dissipated += point.area * (pressure - total) * opening;
         result.driven += point.area * total * s.normal.dot(surface_velocity);
@@ -143,9 +145,10 @@ ObstacleContact::Result ObstacleContact::add_all(In x, In v, double time, Out f)
 }
 
 void ObstacleContact::add_rows(const Touch& touch) {
+    const double damping = damping_ == NormalDamping::force ? touch.damping : 0;
     for (int k = 0; k < touch.point->corners; ++k)
         rows_.col(touch.point->vertex[k]) +=
-            touch.point->weight[k] * Eigen::Vector2d(touch.stiffness, touch.damping);
+            touch.point->weight[k] * Eigen::Vector2d(touch.stiffness, damping);
 }
 
 void ObstacleContact::limit_modes(ContactLimits& limits) {
@@ -161,20 +164,18 @@ void ObstacleContact::limit_modes(ContactLimits& limits) {
 
 ContactWork ObstacleContact::rub(Points& v, const Model& model, double h) const {
     ContactWork work;
-    if (obstacle_.friction == 0) return work;
+    if (obstacle_.friction == 0 && damping_ == NormalDamping::force) return work;
     for (const Touch& touch : touches_) {
         const ContactPoint& point = *touch.point;
         const Vec3 relative = value_at(point, v.data()) - touch.surface_velocity;
-        const Vec3 sliding = relative - relative.dot(touch.normal) * touch.normal;
-        const double speed = sliding.norm();
-        if (speed == 0) continue;
-        const double stopping = speed / point.inverse_mass;  // [N s]
-        const double impulse = std::min(obstacle_.friction * touch.normal_force * h, stopping);
-        const Vec3 along = -impulse / speed * sliding;
+        const double damping = damping_ == NormalDamping::impulse ? touch.damping * h : 0;
+        const Vec3 impulse =
+            contact_impulse({touch.normal, touch.normal_force * h, damping, obstacle_.friction}, relative,
+                            point.inverse_mass);
         for (int k = 0; k < point.corners; ++k)
-            v.col(point.vertex[k]) += point.weight[k] * model.inverse_mass[point.vertex[k]] * along;
-        work.dissipated += impulse * (speed - impulse * point.inverse_mass / 2);
-        work.driven += along.dot(touch.surface_velocity);
+            v.col(point.vertex[k]) += point.weight[k] * model.inverse_mass[point.vertex[k]] * impulse;
+        work.dissipated -= impulse.dot(relative + point.inverse_mass / 2 * impulse);
+        work.driven += impulse.dot(touch.surface_velocity);
     }
     return work;
 }

@@ -6,6 +6,11 @@
 // sqrt(rho psi'') takes the rebound; the sum never pulls. Friction is an impulse of at most mu N h against
 // sliding, and as much as stops it where that is less: below the friction angle a point's speed is exactly
 // that of the obstacle.
+//
+// Methods that kick take the damping as an impulse too, each point's own implicit step: with w = sum w_i^2 /
+// m_i the point opens by g' / (1 + h A b w) afterwards. That never turns it round, whatever h, so that
+// damping does not shorten the step; as a force at the barrier's own frequency it would by more than half
+// (verlet.cpp).
 #pragma once
 
 #include <vector>
@@ -13,6 +18,7 @@
 #include "cloth/block_matrix.h"
 #include "contact/barrier.h"
 #include "contact/grip.h"
+#include "contact/impulse.h"
 #include "contact/sampling.h"
 #include "obstacle/obstacle.h"
 
@@ -33,6 +39,9 @@ struct ContactLimits {
     void include(const ContactLimits& other);  // of another obstacle or cloth
 };
 
+// How a method takes normal damping: in add_all's force, or as rub's impulses.
+enum class NormalDamping { force, impulse };
+
 class ObstacleContact {
 public:
     // `expected_speed`: an impact that the barrier takes with ease [m/s]; faster ones shorten the step.
@@ -51,8 +60,8 @@ public:
         int contacts = 0;
         bool crossed = false;  // a point has g <= 0: the step was too long
     };
-    // Adds barrier and damping; keeps the normal forces for friction.
-    Result add_all(In x, In v, double time, Out f);
+    // Adds the barrier, and damping if that is a force; keeps the normal forces for rub.
+    Result add_all(In x, In v, double time, Out f, NormalDamping damping = NormalDamping::force);
 
     // For implicit methods (obstacle_contact_matrices.cpp): which vertices contact couples, K += -df/dx and
     // B += -df/dv, symmetric.
@@ -62,7 +71,8 @@ public:
     // A diagonal, the same for the three coordinates, that bounds K + B / c at this pose from above.
     void add_majorant(In x, In v, double time, double c, Eigen::VectorXd& diagonal) const;
 
-    // Changes velocities by the friction impulses of a time h under the last add_all's normal forces.
+    // Changes velocities by the impulses of a time h under the last add_all's normal forces: friction's, and
+    // damping's if that is none of those.
     ContactWork rub(Points& v, const Model& model, double h) const;
 
     // Appends the points of the last add_all that friction holds.
@@ -96,8 +106,9 @@ private:
     struct Touch {  // a point in contact: what friction needs to know
         const ContactPoint* point;
         Vec3 normal, surface_velocity;
-        double normal_force;        // [N]
-        double stiffness, damping;  // [N/m], [N s/m]
+        double normal_force;  // [N]
+        double stiffness;     // [N/m]
+        double damping;       // [N s/m]
     };
     // Gershgorin: each vertex's row sums over all its points in contact; taken and cleared by limit_modes
     void add_rows(const Touch& touch);
@@ -119,8 +130,9 @@ private:
     std::vector<ContactPoint> points_;
     std::vector<int> near_;  // points within reach since the last gather
     std::vector<Touch> touches_;
-    Eigen::VectorXd inverse_mass_;  // per column of the State [1/kg]
-    Eigen::Matrix2Xd rows_;         // of stiffness and damping; zero but within add_all
+    NormalDamping damping_ = NormalDamping::force;  // of touches_
+    Eigen::VectorXd inverse_mass_;                  // per column of the State [1/kg]
+    Eigen::Matrix2Xd rows_;                         // of stiffness and damping; zero but within add_all
     Barrier barrier_;
     double offset_ = 0;  // [m]
     int level_ = 1;

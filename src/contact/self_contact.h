@@ -33,8 +33,8 @@ public:
 
     double energy(In x);
     void add_conservative(In x, Out f);
-    // adds barrier and damping; keeps the normal forces for friction
-    ObstacleContact::Result add_all(In x, In v, Out f);
+    // as in ObstacleContact
+    ObstacleContact::Result add_all(In x, In v, Out f, NormalDamping damping = NormalDamping::force);
 
     // For implicit methods, as in ObstacleContact. Which vertices are coupled changes with x, and then the
     // version (self_contact_matrices.cpp).
@@ -67,9 +67,10 @@ private:
     struct Touch {
         SelfPair pair;
         Nearest nearest;
-        double normal_force;        // [N]
-        double stiffness, damping;  // [N/m], [N s/m]
-        double fading;              // stiffness of its fading potential [N/m]
+        double normal_force;  // [N]
+        double stiffness;     // [N/m]
+        double damping;       // [N s/m]
+        double fading;        // stiffness of its fading potential [N/m]
     };
     SelfContact(const Model& model, std::vector<Layers> layers, const std::vector<double>& thickness,
                 std::vector<std::pair<int, int>> ranges);
@@ -78,9 +79,10 @@ private:
     double damping_of(const Layers& layers, double stiffness) const;
     // lists pairs that may touch at x, and on a way from there that changes distances by up to `more`
     void cover(In x, double more);
-    // ... and that may close in within the next step: those nearer than their thickness and what it returns
-    double cover(In x, In v);
+    // ... and that may close in within the next step
+    void cover(In x, In v);
     void list(In x, double drift);
+    bool found_hold(In x) const;  // and will while near_ does
     static Nearest measure(SelfPair& pair, const PairPoints& at);
     void limit_modes(ContactLimits& limits);
     double clear_part(const SelfPair& pair, const PairPoints& at, const PairPoints& way, double most) const;
@@ -97,12 +99,12 @@ private:
     std::vector<SelfPair> found_, near_;
     Drift found_drift_, near_drift_;  // since those were listed
     double found_margin_ = -1;        // drift that found_ holds for [m]; < 0: nothing found yet
-    double found_used_ = 0;           // of it, when near_ was listed
     double near_margin_ = -1;
     long version_ = 0, prepared_version_ = -1;
 
     std::vector<Touch> touches_;
-    Eigen::Matrix2Xd rows_;  // of stiffness and damping; zero but within add_all
+    NormalDamping damping_ = NormalDamping::force;  // of touches_
+    Eigen::Matrix2Xd rows_;                         // of stiffness and damping; zero but within add_all
 };
 
 }  // namespace drape

@@ -106,14 +106,14 @@ void Dynamics::linearly_damped_acceleration(In x, In v, Points& a, ForceShare sh
     to_acceleration(a);
 }
 
-void Dynamics::sum_all(In x, In v, double time, ForceShare share, Points& f) {
+void Dynamics::sum_all(In x, In v, double time, ForceShare share, NormalDamping damping, Points& f) {
     ++sweeps_;
     const auto wanted = [&](const Force& force) { return is_in(share, force); };
     power_ = force_power_ = sum_moving(x, v, time, wanted, f);
     for (const ActiveForce& active : forces_) active.calls += wanted(*active.force);
     if (contact_) {
         const ThreadCpuScope timer(contact_seconds_);
-        touch_ = contact_->add_all(x, v, time, f);
+        touch_ = contact_->add_all(x, v, time, f, damping);
         power_ += {.dissipated = touch_.dissipated, .driven = touch_.driven};
     }
 }
@@ -125,17 +125,17 @@ void Dynamics::finish(In v, Points& f) {
 }
 
 void Dynamics::acceleration(In x, In v, double time, Points& a) {
-    sum_all(x, v, time, ForceShare::all, a);
+    sum_all(x, v, time, ForceShare::all, NormalDamping::force, a);
     finish(v, a);
 }
 
-void Dynamics::unprojected_acceleration(In x, In v, double time, Points& a) {
-    sum_all(x, v, time, ForceShare::unprojected, a);
+void Dynamics::acceleration_to_kick(In x, In v, double time, Points& a, ForceShare share) {
+    sum_all(x, v, time, share, NormalDamping::impulse, a);
     finish(v, a);
 }
 
 void Dynamics::acceleration_with_friction(In x, In v, double time, Points& a) {
-    sum_all(x, v, time, ForceShare::all, a);
+    sum_all(x, v, time, ForceShare::all, NormalDamping::force, a);
     const ContactWork power = friction_.add_force(v, a);
     power_ += {.dissipated = power.dissipated, .driven = power.driven};
     finish(v, a);

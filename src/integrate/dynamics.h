@@ -45,8 +45,8 @@ public:
     // a = all forces / m; keeps power, contact limits and friction's normal forces of this moment
     void acceleration(In x, In v, double time, Points& a);
 
-    // the same without the forces that project
-    void unprojected_acceleration(In x, In v, double time, Points& a);
+    // The same without contact's normal damping, for methods that kick: rub takes it with friction.
+    void acceleration_to_kick(In x, In v, double time, Points& a, ForceShare share = ForceShare::all);
 
     // one sweep over all elements of the forces that project
     void project(WeightedPoints& x, const WeightedPoints& before, double h);
@@ -57,7 +57,7 @@ public:
     void hold_friction();
     const SmoothFriction& friction() const { return friction_; }
 
-    // friction impulses of a time h on free vertices' velocities
+    // friction's impulses of a time h on free vertices' velocities, and after acceleration_to_kick damping's
     void rub(State& state, double h);
 
     // books `seconds` of the present power as energy gone
@@ -111,7 +111,7 @@ private:
     template <class Wanted>
     Power sum_moving(In x, In v, double time, Wanted wanted, Points& f);
     void sum_conservative(In x, ForceShare share, Points& f);  // of forces but contact
-    void sum_all(In x, In v, double time, ForceShare share, Points& f);
+    void sum_all(In x, In v, double time, ForceShare share, NormalDamping damping, Points& f);
     void finish(In v, Points& f);  // books the pins' power, makes accelerations of forces
     void to_acceleration(Points& f) const;
 

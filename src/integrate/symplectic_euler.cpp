@@ -11,13 +11,13 @@ namespace {
 class SymplecticEuler final : public Integrator {
 public:
     void begin(Dynamics& dynamics, State& state, double) override {
-        dynamics.acceleration(state.x, state.v, state.time, a_);
+        dynamics.acceleration_to_kick(state.x, state.v, state.time, a_);
     }
     bool step(Dynamics& dynamics, State& state, double h) override {
         dynamics.book(h);
         kick(dynamics, state, a_, h);
         drift(dynamics, state, h);
-        dynamics.acceleration(state.x, state.v, state.time, a_);
+        dynamics.acceleration_to_kick(state.x, state.v, state.time, a_);
         return true;
     }
 

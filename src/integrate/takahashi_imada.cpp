@@ -50,7 +50,7 @@ private:
         if (dynamics.is_conservative())
             dynamics.conservative_acceleration(shifted_, state.time, a_);
         else
-            dynamics.acceleration(shifted_, v, state.time, a_);
+            dynamics.acceleration_to_kick(shifted_, v, state.time, a_);
     }
 
     // Drift s, kick s, drift -s, kick -s is x - s^2 a, v + s^2 a' v up to O(h^3); the same with s turned

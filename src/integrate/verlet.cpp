@@ -18,7 +18,7 @@ namespace {
 class Verlet final : public Integrator {
 public:
     void begin(Dynamics& dynamics, State& state, double) override {
-        dynamics.acceleration(state.x, state.v, state.time, a_);
+        dynamics.acceleration_to_kick(state.x, state.v, state.time, a_);
     }
     bool step(Dynamics& dynamics, State& state, double h) override {
         dynamics.book(h / 2);
@@ -28,7 +28,7 @@ public:
             dynamics.conservative_acceleration(state.x, state.time, a_);
         } else {
             ahead_ = state.v + h / 2 * a_;
-            dynamics.acceleration(state.x, ahead_, state.time, a_);
+            dynamics.acceleration_to_kick(state.x, ahead_, state.time, a_);
         }
         dynamics.book(h / 2);
         kick(dynamics, state, a_, h / 2);

@@ -28,7 +28,7 @@ public:
         x_.resize(4, state.x.cols());
         x_.row(3) = dynamics.model().inverse_mass.transpose();
         before_ = x_;
-        dynamics.unprojected_acceleration(state.x, state.v, state.time, a_);
+        dynamics.acceleration_to_kick(state.x, state.v, state.time, a_, ForceShare::unprojected);
     }
     bool step(Dynamics& dynamics, State& state, double h) override {
         dynamics.book(h);
@@ -36,7 +36,7 @@ public:
         predict(dynamics.model(), state, h);
         dynamics.project(x_, before_, h);
         finish(state, h);
-        dynamics.unprojected_acceleration(state.x, state.v, state.time, a_);
+        dynamics.acceleration_to_kick(state.x, state.v, state.time, a_, ForceShare::unprojected);
         return true;
     }
 
