@@ -1,5 +1,7 @@
 #include "contact/drift.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -68,17 +70,79 @@ DRAPE_WIDE void extend(Extent& extent, const double* move, Eigen::Index values) 
 
 }  // namespace
 
-double Drift::at(In x) const {
+Drift::Drift(std::vector<std::pair<int, int>> ranges) : ranges_(std::move(ranges)) {
+    constexpr int enough = 256;
+    int columns = 0;
+    for (const auto& range : ranges_) columns += range.second;
+    const int stride = 1 + columns / enough;
+    for (const auto& [first, count] : ranges_)
+        for (int i = first; i < first + count; i += stride) some_.push_back(i);
+}
+
+template <class Way>
+double Drift::spread(Way way) const {
+    Vec3 low = Vec3::Constant(INFINITY), high = -low;
+    for (const auto& [first, columns] : ranges_)
+        for (int i = first; i < first + columns; ++i) {
+            const Vec3 left = way(i);
+            low = low.cwiseMin(left);
+            high = high.cwiseMax(left);
+        }
+    return (high - low).norm();
+}
+
+bool Drift::is_within(In x, double limit) const {
     Extent extent;
     for (const auto& [first, columns] : ranges_)
         extend(extent, x.data() + 3 * first, from_.data() + 3 * first, 3 * columns);
-    return extent.diagonal();
+    if (extent.diagonal() <= limit) return true;
+    if (!(limit > 0)) return false;
+    const Mat3 turn = turn_to(x);
+    return spread([&](int i) { return Vec3(x.col(i) - turn * from_.col(i)); }) <= limit;
 }
 
 double Drift::of(In move) const {
     Extent extent;
     for (const auto& [first, columns] : ranges_) extend(extent, move.data() + 3 * first, 3 * columns);
     return extent.diagonal();
+}
+
+// Turning as one body shrinks no distance, and moving on straight shrinks none faster than at first.
+double Drift::rate(In x, In v) const {
+    const Vec3 angular = spin(x, v);
+    return spread([&](int i) { return Vec3(v.col(i) - angular.cross(x.col(i))); });
+}
+
+Mat3 Drift::turn_to(In x) const {
+    Vec3 middle = Vec3::Zero(), before = Vec3::Zero();
+    for (const int i : some_) {
+        middle += x.col(i);
+        before += from_.col(i);
+    }
+    const auto count = static_cast<double>(some_.size());
+    Mat3 both = Mat3::Zero();
+    for (const int i : some_)
+        both += (x.col(i) - middle / count) * (from_.col(i) - before / count).transpose();
+    if (!both.allFinite()) return Mat3::Identity();
+    const Eigen::JacobiSVD<Mat3> svd(both, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Mat3 turned = svd.matrixU() * svd.matrixV().transpose();
+    if (turned.determinant() > 0) return turned;
+    return svd.matrixU() * Vec3(1, 1, -1).asDiagonal() * svd.matrixV().transpose();
+}
+
+Vec3 Drift::spin(In x, In v) const {
+    Vec3 middle = Vec3::Zero();
+    for (const int i : some_) middle += x.col(i);
+    middle /= static_cast<double>(some_.size());
+    Mat3 inertia = Mat3::Zero();
+    Vec3 momentum = Vec3::Zero();
+    for (const int i : some_) {
+        const Vec3 arm = x.col(i) - middle;
+        inertia += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
+        momentum += arm.cross(v.col(i));
+    }
+    const Vec3 angular = inertia.ldlt().solve(momentum);
+    return angular.allFinite() ? angular : Vec3::Zero();
 }
 
 }  // namespace drape

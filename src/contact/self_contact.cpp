@@ -112,21 +112,20 @@ double SelfContact::damping_of(const Layers& layers, double stiffness) const {
 
 void SelfContact::prepare(double h) {
     ahead_ = 2 * h;
-    prepared_version_ = version_;
 }
 
 void SelfContact::cover(In x, double more) {
-    if (near_margin_ >= 0 && near_drift_.at(x) + more <= near_margin_) return;
+    if (near_margin_ >= 0 && near_drift_.is_within(x, near_margin_ - more)) return;
     list(x, more);
 }
 
 // Pairs beyond the barrier by more than they can close in the time cannot shorten the step.
 void SelfContact::cover(In x, In v) {
-    cover(x, ahead_ * near_drift_.of(v));
+    cover(x, ahead_ * near_drift_.rate(x, v));
 }
 
 bool SelfContact::found_hold(In x) const {
-    return found_margin_ >= 0 && found_drift_.at(x) + near_margin_ <= found_margin_;
+    return found_margin_ >= 0 && found_drift_.is_within(x, found_margin_ - near_margin_);
 }
 
 void SelfContact::list(In x, double drift) {
@@ -326,9 +325,7 @@ double SelfContact::clear_part(In x, In move) {
 }
 
 bool SelfContact::passed_through(In before, In after) {
-    // lists that hold at both ends hold in between
-    if (version_ != prepared_version_ || !(near_drift_.at(after) <= near_margin_))
-        cover(before, near_drift_.of(after - before));
+    cover(before, near_drift_.of(after - before));
     return std::any_of(near_.begin(), near_.end(), [&](const SelfPair& pair) {
         const double least = kept_part * layers(pair).barrier.thickness;
         if (separation(pair, before.data()) > least && separation(pair, after.data()) > least) return false;

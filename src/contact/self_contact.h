@@ -100,7 +100,7 @@ private:
     Drift found_drift_, near_drift_;  // since those were listed
     double found_margin_ = -1;        // drift that found_ holds for [m]; < 0: nothing found yet
     double near_margin_ = -1;
-    long version_ = 0, prepared_version_ = -1;
+    long version_ = 0;
 
     std::vector<Touch> touches_;
     NormalDamping damping_ = NormalDamping::force;  // of touches_

@@ -13,6 +13,7 @@ constexpr double full_angle = 0.01;  // square of the sine from which edges have
 constexpr double triangle_share =
     0.25;                            // of a vertex's area: both sides' vertices and edges make up the whole
 constexpr double edge_share = 0.25;  // of two edges' area, some two of which lie across each
+constexpr size_t most_candidates = 4096;                       // that wait to be looked at
 constexpr double most_cells = 1 << 20, most_cells_a_box = 64;  // of the grid and of a box, along a side
 
 std::uint64_t mixed(std::uint64_t cell) {
@@ -26,11 +27,6 @@ bool shares(const int* vertex, int v) {
 }
 
 }  // namespace
-
-bool SelfSearch::Box::meets(const Box& other) const {
-    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
-           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
-}
 
 SelfSearch::SelfSearch(const Model& model, std::vector<double> thickness)
     : rest_(3, model.vertices()),
@@ -160,85 +156,91 @@ void SelfSearch::find(In x, double reach, std::vector<SelfPair>& pairs) {
     if (faces_.empty()) return;
     if (!x.allFinite() || !make_boxes(x, reach / 2)) return;  // motion that ran away
     fill_grid();
+    edge_candidates_.clear();
+    vertex_candidates_.clear();
     for (size_t b = 0; b + 1 < first_.size(); ++b) {
-        for (std::uint32_t i = first_[b]; i < first_[b + 1]; ++i) {
-            const Entry& entry = entries_[i];
-            const Box& box = boxes_[static_cast<size_t>(entry.face)];
-            for (std::uint32_t j = i + 1; j < first_[b + 1]; ++j) {
-                const Entry& other = entries_[j];
-                if (other.cell != entry.cell) continue;
-                const Box& beside = boxes_[static_cast<size_t>(other.face)];
-                if (!box.meets(beside)) continue;
-                const double corner[3] = {std::max(box.low[0], beside.low[0]),
-                                          std::max(box.low[1], beside.low[1]),
-                                          std::max(box.low[2], beside.low[2])};
-                if (cell_of(corner) == entry.cell) look_at(x, entry.face, other.face, reach, pairs);
-            }
-        }
+        if (first_[b + 1] - first_[b] < 2) continue;
+        look_into(b);
+        if (edge_candidates_.size() + vertex_candidates_.size() > most_candidates) sift(x, reach, pairs);
     }
+    sift(x, reach, pairs);
     std::sort(pairs.begin(), pairs.end(), [](const SelfPair& a, const SelfPair& b) {
         return std::lexicographical_compare(a.vertex, a.vertex + 4, b.vertex, b.vertex + 4) ||
                (std::equal(a.vertex, a.vertex + 4, b.vertex) && a.edges < b.edges);
     });
 }
 
-void SelfSearch::look_at(In x, int face, int other, double reach, std::vector<SelfPair>& pairs) const {
-    const Face &one = faces_[static_cast<size_t>(face)], &two = faces_[static_cast<size_t>(other)];
-    look_at_vertices(x, one, two, reach, pairs);
-    look_at_vertices(x, two, one, reach, pairs);
-    look_at_edges(x, one, two, reach, pairs);
+void SelfSearch::look_into(size_t bucket) {
+    const Entry* entries = &entries_[first_[bucket]];
+    bucket_boxes_.clear();
+    for (std::uint32_t i = 0; i < first_[bucket + 1] - first_[bucket]; ++i) {
+        const Box& box = boxes_[static_cast<size_t>(entries[i].face)];
+        bucket_boxes_.add(box.low, box.high);
+    }
+    meeting_.clear();
+    bucket_boxes_.add_meeting(meeting_);
+    for (const auto& [i, j] : meeting_) {
+        const Entry &entry = entries[i], &other = entries[j];
+        if (other.cell != entry.cell) continue;
+        const Box &box = boxes_[static_cast<size_t>(entry.face)],
+                  &beside = boxes_[static_cast<size_t>(other.face)];
+        const double corner[3] = {std::max(box.low[0], beside.low[0]), std::max(box.low[1], beside.low[1]),
+                                  std::max(box.low[2], beside.low[2])};
+        if (cell_of(corner) != entry.cell) continue;
+        const Face &one = faces_[static_cast<size_t>(entry.face)],
+                   &two = faces_[static_cast<size_t>(other.face)];
+        add_vertices(one, two);
+        add_vertices(two, one);
+        add_edges(one, two);
+    }
 }
 
-void SelfSearch::look_at_vertices(In x, const Face& face, const Face& other, double reach,
-                                  std::vector<SelfPair>& pairs) const {
+void SelfSearch::add_vertices(const Face& face, const Face& other) {
     for (int k = 0; k < 3; ++k) {
         const int v = face.vertex[k];
         if (!(face.owned & 1 << k) || shares(other.vertex, v)) continue;
-        const auto cloth = static_cast<size_t>(v), beside = static_cast<size_t>(other.vertex[0]);
-        SelfPair pair{{v, other.vertex[0], other.vertex[1], other.vertex[2]},
-                      layers_of(cloth_[cloth], cloth_[beside], cloths_),
-                      false,
-                      triangle_share * area_[v],
-                      0};
+        vertex_candidates_.push_back({{v, other.vertex[0], other.vertex[1], other.vertex[2]}, 0, 0});
+    }
+}
+
+void SelfSearch::add_edges(const Face& face, const Face& other) {
+    for (int i = face.first_edge; i < face.first_edge + face.edges; ++i) {
+        for (int j = other.first_edge; j < other.first_edge + other.edges; ++j) {
+            const auto &u = owned_edges_[static_cast<size_t>(i)], &v = owned_edges_[static_cast<size_t>(j)];
+            if (u[0] == v[0] || u[0] == v[1] || u[1] == v[0] || u[1] == v[1]) continue;
+            if (u < v)
+                edge_candidates_.push_back({{u[0], u[1], v[0], v[1]}, i, j});
+            else
+                edge_candidates_.push_back({{v[0], v[1], u[0], u[1]}, j, i});
+        }
+    }
+}
+
+void SelfSearch::sift(In x, double reach, std::vector<SelfPair>& pairs) {
+    const auto layers_at = [&](int v, int beside) {
+        return layers_of(cloth_[static_cast<size_t>(v)], cloth_[static_cast<size_t>(beside)], cloths_);
+    };
+    vertex_candidates_.resize(sift_triangles(x.data(), reach, vertex_candidates_));
+    for (const Candidate& near : vertex_candidates_) {
+        const int* v = near.vertex;
+        SelfPair pair{
+            {v[0], v[1], v[2], v[3]}, layers_at(v[0], v[1]), false, triangle_share * area_[v[0]], 0};
         std::sort(pair.vertex + 1, pair.vertex + 4);
         keep_if_near(x, pair, reach, pairs);
     }
+    edge_candidates_.resize(sift_edges(x.data(), reach, edge_candidates_));
+    for (const Candidate& near : edge_candidates_) {
+        const int* v = near.vertex;
+        const double area =
+            edge_area_[static_cast<size_t>(near.first)] + edge_area_[static_cast<size_t>(near.second)];
+        keep_if_near(x, {{v[0], v[1], v[2], v[3]}, layers_at(v[0], v[2]), true, edge_share * area / 2, 0},
+                     reach, pairs);
+    }
+    vertex_candidates_.clear();
+    edge_candidates_.clear();
 }
 
-void SelfSearch::look_at_edges(In x, const Face& face, const Face& other, double reach,
-                               std::vector<SelfPair>& pairs) const {
-    for (int i = face.first_edge; i < face.first_edge + face.edges; ++i) {
-        for (int j = other.first_edge; j < other.first_edge + other.edges; ++j) {
-            const bool swap = owned_edges_[static_cast<size_t>(j)] < owned_edges_[static_cast<size_t>(i)];
-            const auto first = static_cast<size_t>(swap ? j : i), second = static_cast<size_t>(swap ? i : j);
-            const auto &u = owned_edges_[first], &v = owned_edges_[second];
-            if (u[0] == v[0] || u[0] == v[1] || u[1] == v[0] || u[1] == v[1]) continue;
-            SelfPair pair{
-                {u[0], u[1], v[0], v[1]},
-                layers_of(cloth_[static_cast<size_t>(u[0])], cloth_[static_cast<size_t>(v[0])], cloths_),
-                true,
-                edge_share * (edge_area_[first] + edge_area_[second]) / 2,
-                0};
-            keep_if_near(x, pair, reach, pairs);
-        }
-    }
-}
-
-void SelfSearch::keep_if_near(In x, SelfPair& pair, double reach, std::vector<SelfPair>& pairs) const {
-    // boxes first: most pairs are farther apart than those of their triangles
-    const int pieces = pair.edges ? 2 : 1;
-    for (int k = 0; k < 3; ++k) {
-        double low = INFINITY, high = -INFINITY, beside_low = INFINITY, beside_high = -INFINITY;
-        for (int i = 0; i < pieces; ++i) {
-            low = std::min(low, x(k, pair.vertex[i]));
-            high = std::max(high, x(k, pair.vertex[i]));
-        }
-        for (int i = pieces; i < 4; ++i) {
-            beside_low = std::min(beside_low, x(k, pair.vertex[i]));
-            beside_high = std::max(beside_high, x(k, pair.vertex[i]));
-        }
-        if (beside_low - high >= reach || low - beside_high >= reach) return;
-    }
+void SelfSearch::keep_if_near(In x, SelfPair pair, double reach, std::vector<SelfPair>& pairs) const {
     const Nearest nearest = nearest_of(pair, points_of(pair, x.data()));
     if (!(nearest.distance < reach)) return;
     pair.apart = nearest.normal;

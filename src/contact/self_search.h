@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cloth/model.h"
+#include "contact/near_tests.h"
 #include "contact/self_pair.h"
 
 namespace drape {
@@ -41,7 +42,6 @@ private:
     };
     struct Box {
         double low[3], high[3];
-        bool meets(const Box& other) const;
     };
     struct Entry {
         std::uint64_t cell;
@@ -54,12 +54,11 @@ private:
     template <class Visit>
     void each_cell(const Box& box, Visit visit) const;
     std::uint64_t cell_of(const double* at) const;
-    void look_at(In x, int face, int other, double reach, std::vector<SelfPair>& pairs) const;
-    void look_at_vertices(In x, const Face& face, const Face& other, double reach,
-                          std::vector<SelfPair>& pairs) const;
-    void look_at_edges(In x, const Face& face, const Face& other, double reach,
-                       std::vector<SelfPair>& pairs) const;
-    void keep_if_near(In x, SelfPair& pair, double reach, std::vector<SelfPair>& pairs) const;
+    void look_into(size_t bucket);  // adds the candidates of its triangles
+    void add_vertices(const Face& face, const Face& other);
+    void add_edges(const Face& face, const Face& other);
+    void sift(In x, double reach, std::vector<SelfPair>& pairs);  // appends those candidates that are near
+    void keep_if_near(In x, SelfPair pair, double reach, std::vector<SelfPair>& pairs) const;
 
     std::vector<Face> faces_;
     std::vector<std::array<int, 2>> owned_edges_;  // vertices, lower first
@@ -73,6 +72,9 @@ private:
 
     // scratch
     std::vector<Box> boxes_;
+    BoxList bucket_boxes_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> meeting_;
+    std::vector<Candidate> vertex_candidates_, edge_candidates_;
     std::vector<std::uint32_t> first_;  // of each bucket's entries
     std::vector<Entry> entries_;
     double cell_ = 1, origin_[3] = {};
