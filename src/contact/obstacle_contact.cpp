@@ -60,9 +60,7 @@ ObstacleContact::ObstacleContact(const Model& model, const Cloth& cloth, const O
     const double impact = area_density_ * expected_speed * expected_speed / 2 / barrier_.thickness;
     barrier_.strength =
         std::max({20 * weight, 2 * impact, stretch_stiffness_per_area(cloth) * barrier_.thickness / 60});
-    // (1 - u)^2 / u = q
-    const double q = barrier_.strength > 0 ? weight / barrier_.strength : 0;
-    resting_gap_ = barrier_.thickness * (1 + q / 2 - std::sqrt(q + q * q / 4));
+    resting_gap_ = barrier_.strength > 0 ? barrier_.gap_under(weight) : barrier_.thickness;
 }
 
 SurfaceSample ObstacleContact::sample(const Pose& pose, const Vec3& p) const {

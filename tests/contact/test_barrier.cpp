@@ -44,8 +44,13 @@ TEST_CASE("the barrier's energy, pressure and stiffness all start from zero at i
 TEST_CASE("no finite energy reaches the surface", "[contact]") {
     CHECK(barrier.energy(0) == INFINITY);
     CHECK(barrier.energy(-1e-3) == INFINITY);
-    // each factor of ten nearer costs P d ln 10 more
-    const double step = barrier.strength * barrier.thickness * std::log(10);
+    // half as near costs twice as much
     for (double gap = 1e-8; gap > 1e-300; gap /= 10)
-        REQUIRE(barrier.energy(gap / 10) - barrier.energy(gap) == Approx(step).epsilon(1e-4));
+        REQUIRE(barrier.energy(gap / 2) == Approx(2 * barrier.energy(gap)).epsilon(1e-3));
+}
+
+TEST_CASE("the barrier presses as asked at the gap it gives", "[contact]") {
+    for (const double pressure : {0.0, 1e-3, 1.0, 50.0, 1e6})
+        CHECK(barrier.pressure(barrier.gap_under(pressure)) == Approx(pressure).margin(1e-12));
+    CHECK(barrier.gap_under(0) == barrier.thickness);
 }
