@@ -101,11 +101,9 @@ DRAPE_INLINE size_t sift(double reach, std::span<Candidate> candidates, Distance
 DRAPE_WIDE size_t meet(const double* const* low, const double* const* high, size_t one, size_t from,
                        size_t size, std::uint32_t* found) {
     size_t count = 0;
-    Lanes low_one[3], high_one[3];
-    for (int c = 0; c < 3; ++c) {
-        low_one[c] = Lanes{} + low[c][one];
-        high_one[c] = Lanes{} + high[c][one];
-    }
+    const Lanes zero = {};
+    const Lanes low_one[3] = {zero + low[0][one], zero + low[1][one], zero + low[2][one]};
+    const Lanes high_one[3] = {zero + high[0][one], zero + high[1][one], zero + high[2][one]};
     for (size_t j = from; j < size; j += width) {
         Lanes l, h;
         load(l, low[0] + j);
