@@ -22,6 +22,10 @@ struct Vertices {
     Lanes x, y, z;
 };
 
+inline __attribute__((always_inline)) Lanes dot(const Vertices& a, const Vertices& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 // The columns of four padded vertices.
 inline __attribute__((always_inline)) Vertices transposed(const Lanes (&row)[4]) {
     const Lanes xz_low = __builtin_shufflevector(row[0], row[1], 0, 4, 2, 6);

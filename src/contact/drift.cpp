@@ -113,16 +113,16 @@ double Drift::rate(In x, In v) const {
     return spread([&](int i) { return Vec3(v.col(i) - angular.cross(x.col(i))); });
 }
 
+Vec3 Drift::middle_of(In x) const {
+    Vec3 sum = Vec3::Zero();
+    for (const int i : some_) sum += x.col(i);
+    return sum / static_cast<double>(some_.size());
+}
+
 Mat3 Drift::turn_to(In x) const {
-    Vec3 middle = Vec3::Zero(), before = Vec3::Zero();
-    for (const int i : some_) {
-        middle += x.col(i);
-        before += from_.col(i);
-    }
-    const auto count = static_cast<double>(some_.size());
+    const Vec3 middle = middle_of(x), before = middle_of(from_);
     Mat3 both = Mat3::Zero();
-    for (const int i : some_)
-        both += (x.col(i) - middle / count) * (from_.col(i) - before / count).transpose();
+    for (const int i : some_) both += (x.col(i) - middle) * (from_.col(i) - before).transpose();
     if (!both.allFinite()) return Mat3::Identity();
     const Eigen::JacobiSVD<Mat3> svd(both, Eigen::ComputeFullU | Eigen::ComputeFullV);
     const Mat3 turned = svd.matrixU() * svd.matrixV().transpose();
@@ -131,9 +131,7 @@ Mat3 Drift::turn_to(In x) const {
 }
 
 Vec3 Drift::spin(In x, In v) const {
-    Vec3 middle = Vec3::Zero();
-    for (const int i : some_) middle += x.col(i);
-    middle /= static_cast<double>(some_.size());
+    const Vec3 middle = middle_of(x);
     Mat3 inertia = Mat3::Zero();
     Vec3 momentum = Vec3::Zero();
     for (const int i : some_) {

@@ -27,6 +27,7 @@ public:
     double rate(In x, In v) const;
 
 private:
+    Vec3 middle_of(In x) const;  // of some columns [m]
     Mat3 turn_to(In x) const;
     Vec3 spin(In x, In v) const;  // [rad/s]
     template <class Way>

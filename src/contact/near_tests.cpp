@@ -3,48 +3,42 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/lanes.h"
+#include "base/padded.h"
 #include "base/wide.h"
 
 namespace drape {
 
 namespace {
 
+using lanes::Vertices;
+
 constexpr double slack = 1 + 1e-9;  // far above what rounding moves a squared distance by
 constexpr size_t width = 4;
 
-#define DRAPE_INLINE inline __attribute__((always_inline))
-
-struct LaneVec {
-    Lanes x, y, z;
-};
-
-DRAPE_INLINE LaneVec operator-(const LaneVec& a, const LaneVec& b) {
+inline __attribute__((always_inline)) Vertices operator-(const Vertices& a, const Vertices& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-DRAPE_INLINE LaneVec operator+(const LaneVec& a, const LaneVec& b) {
+inline __attribute__((always_inline)) Vertices operator+(const Vertices& a, const Vertices& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-DRAPE_INLINE LaneVec operator*(const Lanes& s, const LaneVec& a) {
+inline __attribute__((always_inline)) Vertices operator*(const Lanes& s, const Vertices& a) {
     return {s * a.x, s * a.y, s * a.z};
 }
-DRAPE_INLINE Lanes dot(const LaneVec& a, const LaneVec& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-DRAPE_INLINE LaneVec cross(const LaneVec& a, const LaneVec& b) {
+inline __attribute__((always_inline)) Vertices cross(const Vertices& a, const Vertices& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-DRAPE_INLINE Lanes within_one(const Lanes& value) {
+inline __attribute__((always_inline)) Lanes within_one(const Lanes& value) {
     const Lanes zero = {}, one = zero + 1;
     const Lanes below = value < one ? value : one;
     return below > zero ? below : zero;
 }
-DRAPE_INLINE Lanes least(const Lanes& a, const Lanes& b) {
+inline __attribute__((always_inline)) Lanes least(const Lanes& a, const Lanes& b) {
     return a < b ? a : b;
 }
 
-DRAPE_INLINE LaneVec gather(const double* x, const Candidate* candidates, int corner) {
-    LaneVec four;
+inline __attribute__((always_inline)) Vertices gather(const double* x, const Candidate* candidates,
+                                                      int corner) {
+    Vertices four;
     for (size_t k = 0; k < width; ++k) {
         const double* at = x + 3 * candidates[k].vertex[corner];
         four.x[k] = at[0];
@@ -56,26 +50,28 @@ DRAPE_INLINE LaneVec gather(const double* x, const Candidate* candidates, int co
 
 // As nearest_of_edges (nearest.h): the lines' nearest points, then each held on its edge. Where edges are so
 // nearly parallel that rounding chooses the point, any is as near.
-DRAPE_INLINE Lanes edge_distance(const LaneVec& a, const LaneVec& b, const LaneVec& c, const LaneVec& d) {
-    const LaneVec u = b - a, v = d - c, w = a - c;
+inline __attribute__((always_inline)) Lanes edge_distance(const Vertices& a, const Vertices& b,
+                                                          const Vertices& c, const Vertices& d) {
+    const Vertices u = b - a, v = d - c, w = a - c;
     const Lanes uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
     const Lanes zero = {}, det = uu * vv - uv * uv;
     const Lanes line = within_one((uv * vw - vv * uw) / det);
     const Lanes s = det > zero ? line : zero;
     const Lanes t = (uv * s + vw) / vv, held = within_one(t);
     const Lanes moved = within_one((uv * held - uw) / uu);
-    const LaneVec way = w + (t == held ? s : moved) * u - held * v;
+    const Vertices way = w + (t == held ? s : moved) * u - held * v;
     return dot(way, way);
 }
 
-DRAPE_INLINE Lanes side_distance(const LaneVec& from, const LaneVec& side) {
-    const LaneVec way = from - within_one(dot(from, side) / dot(side, side)) * side;
+inline __attribute__((always_inline)) Lanes side_distance(const Vertices& from, const Vertices& side) {
+    const Vertices way = from - within_one(dot(from, side) / dot(side, side)) * side;
     return dot(way, way);
 }
 
-DRAPE_INLINE Lanes triangle_distance(const LaneVec& p, const LaneVec& a, const LaneVec& b, const LaneVec& c) {
-    const LaneVec ab = b - a, bc = c - b, ca = a - c, up = cross(ab, bc);
-    const LaneVec ap = p - a, bp = p - b, cp = p - c;
+inline __attribute__((always_inline)) Lanes triangle_distance(const Vertices& p, const Vertices& a,
+                                                              const Vertices& b, const Vertices& c) {
+    const Vertices ab = b - a, bc = c - b, ca = a - c, up = cross(ab, bc);
+    const Vertices ap = p - a, bp = p - b, cp = p - c;
     const Lanes sides = least(least(side_distance(ap, ab), side_distance(bp, bc)), side_distance(cp, ca));
     const Lanes height = dot(up, ap), zero = {};
     const auto above =
@@ -84,7 +80,8 @@ DRAPE_INLINE Lanes triangle_distance(const LaneVec& p, const LaneVec& a, const L
 }
 
 template <class Distance>
-DRAPE_INLINE size_t sift(double reach, std::span<Candidate> candidates, Distance distance) {
+inline __attribute__((always_inline)) size_t sift(double reach, std::span<Candidate> candidates,
+                                                  Distance distance) {
     const double most = slack * reach * reach;
     size_t kept = 0;
     Candidate four[width];

@@ -170,8 +170,13 @@ ContactWork ObstacleContact::rub(Points& v, const Model& model, double h) const 
         const Vec3 impulse =
             contact_impulse({touch.normal, touch.normal_force * h, damping, obstacle_.friction}, relative,
                             point.inverse_mass);
-        for (int k = 0; k < point.corners; ++k)
-            v.col(point.vertex[k]) += point.weight[k] * model.inverse_mass[point.vertex[k]] * impulse;
+        for (int k = 0; k < point.corners; ++k) {
+            const int i = point.vertex[k];
+            if (model.inverse_mass[i] == 0)  // what holds a pin works against the impulse where the pin moves
+                work.driven -= point.weight[k] * impulse.dot(v.col(i));
+            else
+                v.col(i) += point.weight[k] * model.inverse_mass[i] * impulse;
+        }
         work.dissipated -= impulse.dot(relative + point.inverse_mass / 2 * impulse);
         work.driven += impulse.dot(touch.surface_velocity);
     }

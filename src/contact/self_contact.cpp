@@ -17,8 +17,8 @@ constexpr double kept_part = 0.1;      // of its distance, or the thickness, tha
 constexpr double falling_part = 0.25;  // of the speed of a free fall
 constexpr double least_start = 0.01;   // of the thickness, between layers at the start
 
-// How fast one part of a cloth may meet another: by what it starts with, carried by pins or wind, and by
-// falling from its own height [m/s]. What falls falls together, and parts meet with less: of a sheet draped
+// How fast one part of a cloth may meet another: by what it starts with, carried by pins, and by falling
+// from its own height [m/s]. What falls falls together, and parts meet with less: of a sheet draped
 // over a ball a quarter takes least steps, half or a tenth take more.
 double meeting_speed(const Model& model, const Vec3& gravity, const State& start) {
     Eigen::AlignedBox3d speeds, room;
@@ -271,8 +271,13 @@ ContactWork SelfContact::rub(Points& v, double h) const {
         const double damping = damping_ == NormalDamping::impulse ? touch.damping * h : 0;
         const Vec3 impulse = contact_impulse(
             {nearest.normal, touch.normal_force * h, damping, layers(pair).friction}, relative, inverse_mass);
-        for (int i = 0; i < 4; ++i)
-            v.col(pair.vertex[i]) += nearest.weight[i] * model_.inverse_mass[pair.vertex[i]] * impulse;
+        for (int i = 0; i < 4; ++i) {
+            const int k = pair.vertex[i];
+            if (model_.inverse_mass[k] == 0)
+                work.driven -= nearest.weight[i] * impulse.dot(v.col(k));
+            else
+                v.col(k) += nearest.weight[i] * model_.inverse_mass[k] * impulse;
+        }
         work.dissipated -= impulse.dot(relative + inverse_mass / 2 * impulse);
     }
     return work;

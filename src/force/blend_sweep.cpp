@@ -22,10 +22,6 @@ struct Stage {
     Lanes tension[3], s;         // t_k, s
 };
 
-inline __attribute__((always_inline)) Lanes squared(const lanes::Vertices& e) {
-    return e.x * e.x + e.y * e.y + e.z * e.z;
-}
-
 inline __attribute__((always_inline)) void measure(const Four& t, const double* x, Stage& stage) {
     for (int i = 0; i < 4; ++i) {
         Lanes p[3];
@@ -36,8 +32,8 @@ inline __attribute__((always_inline)) void measure(const Four& t, const double* 
                                   lanes::transposed(stage.edge[2])};
     const lanes::Vertices normal = {e[1].y * e[2].z - e[1].z * e[2].y, e[1].z * e[2].x - e[1].x * e[2].z,
                                     e[1].x * e[2].y - e[1].y * e[2].x};
-    stage.squared_area = squared(normal);
-    const Lanes length_2[3] = {squared(e[0]), squared(e[1]), squared(e[2])};
+    stage.squared_area = dot(normal, normal);
+    const Lanes length_2[3] = {dot(e[0], e[0]), dot(e[1], e[1]), dot(e[2], e[2])};
     Lanes fourth[3];
     for (int k = 0; k < 3; ++k) {
         Lanes w;

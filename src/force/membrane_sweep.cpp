@@ -25,10 +25,6 @@ inline __attribute__((always_inline)) void fetch_edges(const Four& t, const doub
     }
 }
 
-inline __attribute__((always_inline)) Lanes dot(const Vertices& a, const Vertices& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 // T times a vector of three
 inline __attribute__((always_inline)) void couple(const Four& t, const Lanes (&of)[3], Lanes (&result)[3]) {
     Lanes beside[3];

@@ -84,3 +84,30 @@ TEST_CASE("in a short time impulses are what damping's force gives", "[contact]"
         CHECK((barrier + damping - all).norm() < 1e-4 * all.norm());
     }
 }
+
+TEST_CASE("impulses book what pins take that move", "[contact]") {
+    unsigned seed = 60;
+    int mixed = 0;  // obstacles where a point hangs on pinned and free vertices
+    for (const auto& [name, obstacle] : every_obstacle(0.5)) {
+        Touching t(obstacle, ++seed);
+        for (const int pinned : {0, 5, 10}) t.model.inverse_mass[pinned] = 0;
+        t.contact = ObstacleContact(t.model, t.model.cloths[0], obstacle, Vec3(0, -9.81, 0), 1);
+        t.contact.gather(t.x, t.time, 1);
+        CAPTURE(name);
+        Points f = Points::Zero(3, t.x.cols());
+        t.contact.add_all(t.x, t.v, t.time, f, NormalDamping::impulse);
+        const auto free_energy = [&] {
+            double energy = 0;
+            for (int i = 0; i < t.v.cols(); ++i)
+                if (t.model.inverse_mass[i] > 0) energy += t.model.mass[i] * t.v.col(i).squaredNorm() / 2;
+            return energy;
+        };
+        const Points before = t.v;
+        const double energy = free_energy();
+        const ContactWork work = t.contact.rub(t.v, t.model, 1e-3);
+        CHECK(free_energy() - energy == Approx(work.driven - work.dissipated).margin(1e-13 * energy));
+        CHECK(t.v.col(5) == before.col(5));
+        mixed += t.contact.level() > 1 && !obstacle.motion.moves() && work.driven != 0;
+    }
+    CHECK(mixed > 0);
+}
