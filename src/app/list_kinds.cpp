@@ -48,7 +48,7 @@ void list_methods() {
 }
 
 void list_obstacles() {
-    for (const SolidKind& kind : solid_kinds()) {
+    for (const SolidKind& kind : obstacle_kinds()) {
         row(kind.name, kind.summary);
         row("", cat("keys: ", joined({kind.keys.begin(), kind.keys.end()}), ", friction, motion, colour"));
     }

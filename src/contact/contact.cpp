@@ -3,26 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/layers.h"
 #include "contact/self_contact.h"
 
 namespace drape {
 
 namespace {
-
-// How fast a cloth may hit an obstacle: by falling from where it starts, and by the obstacle's own motion
-// [m/s].
-double impact_speed(const Cloth& cloth, const Obstacle& obstacle, const Vec3& gravity, const State& start,
-                    double duration) {
-    const auto x = start.x.middleCols(cloth.first, cloth.vertices());
-    const auto v = start.v.middleCols(cloth.first, cloth.vertices());
-    const Pose pose = obstacle.motion.at(0).pose;
-    double way = 0;
-    for (Eigen::Index i = 0; i < x.cols(); ++i)
-        way = std::max(way, obstacle.solid->sample(pose.back(x.col(i))).distance);
-    const double g = gravity.norm(), fall = std::min(way, g * duration * duration / 2);
-    const double started = std::sqrt(v.colwise().squaredNorm().maxCoeff());
-    return started + std::sqrt(2 * g * fall) + obstacle.surface_speed();
-}
 
 // No column is longer; the longest may be shorter by up to sqrt 3, but this needs no column's own length.
 template <class Columns>
@@ -34,9 +20,10 @@ double most_length(const Columns& columns) {
 
 Contact::Contact(const Model& model, const std::vector<Obstacle>& obstacles, const Vec3& gravity,
                  const State& start, double duration)
-    : model_(model), self_(SelfContact::make(model, gravity, start)) {
+    : model_(model), self_(SelfContact::make(model, obstacles, gravity, start, duration)) {
     for (const Cloth& cloth : model.cloths) {
         for (const Obstacle& obstacle : obstacles) {
+            if (obstacle.solid->triangles()) continue;  // self_'s
             pairs_.emplace_back(model, cloth, obstacle, gravity,
                                 impact_speed(cloth, obstacle, gravity, start, duration));
             thickness_ = std::max(thickness_, pairs_.back().barrier().thickness);
@@ -70,11 +57,11 @@ void Contact::cover(In x, double time, double way) {
 double Contact::clear_part(In x, In move, double time) const {
     double clear = 1;
     for (const ObstacleContact& pair : pairs_) clear = std::min(clear, pair.clear_part(x, move, time));
-    return self_ ? std::min(clear, self_->clear_part(x, move)) : clear;
+    return self_ ? std::min(clear, self_->clear_part(x, move, time)) : clear;
 }
 
 bool Contact::passed_through(const State& before, const State& after) {
-    if (self_ && self_->passed_through(before.x, after.x)) return true;
+    if (self_ && self_->passed_through(before, after)) return true;
     if (obstacle_speed_ == 0) return false;
     const double moved = std::sqrt((after.x - before.x).colwise().squaredNorm().maxCoeff());
     cover(before.x, before.time, moved + obstacle_speed_ * (after.time - before.time));
@@ -84,14 +71,14 @@ bool Contact::passed_through(const State& before, const State& after) {
 }
 
 double Contact::energy(In x, double time) const {
-    double energy = self_ ? self_->energy(x) : 0;
+    double energy = self_ ? self_->energy(x, time) : 0;
     for (const ObstacleContact& pair : pairs_) energy += pair.energy(x, time);
     return energy;
 }
 
 void Contact::add_conservative(In x, double time, Out f) const {
     for (const ObstacleContact& pair : pairs_) pair.add_conservative(x, time, f);
-    if (self_) self_->add_conservative(x, f);
+    if (self_) self_->add_conservative(x, time, f);
 }
 
 ObstacleContact::Result Contact::add_all(In x, In v, double time, Out f, NormalDamping damping) {
@@ -105,7 +92,7 @@ ObstacleContact::Result Contact::add_all(In x, In v, double time, Out f, NormalD
         all.crossed = all.crossed || result.crossed;
     };
     for (ObstacleContact& pair : pairs_) include(pair.add_all(x, v, time, f, damping));
-    if (self_) include(self_->add_all(x, v, f, damping));
+    if (self_) include(self_->add_all(x, v, time, f, damping));
     return all;
 }
 
@@ -114,18 +101,18 @@ void Contact::add_couplings(Couplings& couplings) const {
     if (self_) self_->add_couplings(couplings);
 }
 
-long Contact::couplings_version(In x) const {
-    return self_ ? self_->couplings_version(x) : 0;
+long Contact::couplings_version(In x, double time) const {
+    return self_ ? self_->couplings_version(x, time) : 0;
 }
 
 void Contact::add_stiffness(In x, In v, double time, BlockMatrix& k) const {
     for (const ObstacleContact& pair : pairs_) pair.add_stiffness(x, v, time, k);
-    if (self_) self_->add_stiffness(x, v, k);
+    if (self_) self_->add_stiffness(x, v, time, k);
 }
 
 void Contact::add_damping(In x, In v, double time, BlockMatrix& b) const {
     for (const ObstacleContact& pair : pairs_) pair.add_damping(x, v, time, b);
-    if (self_) self_->add_damping(x, v, b);
+    if (self_) self_->add_damping(x, v, time, b);
 }
 
 void Contact::add_majorant(In x, In v, double time, double c, Eigen::VectorXd& diagonal) const {
@@ -144,9 +131,13 @@ ContactWork Contact::rub(Points& v, double h) const {
 }
 
 double Contact::least_distance(In x, double time, bool held) const {
-    double least = INFINITY;
+    double least = self_ ? self_->least_distance(x, time, held) : INFINITY;
     for (const ObstacleContact& pair : pairs_) least = std::min(least, pair.least_distance(x, time, held));
     return least;
+}
+
+int Contact::crossings(In x, double time) const {
+    return self_ ? self_->crossings(x, time).pairs : 0;
 }
 
 double Contact::lift_out(Points& x) const {

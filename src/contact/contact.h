@@ -1,6 +1,6 @@
 // All contact of a scene: every cloth with every obstacle, and cloth with cloth where asked. Skips what
 // cannot be reached: points join a pair's list only when motion could bring them into contact before the next
-// look.
+// look. Obstacles that are meshes meet cloth as cloth does (self_contact.h).
 #pragma once
 
 #include <memory>
@@ -45,15 +45,18 @@ public:
     ContactWork rub(Points& v, double h) const;
     double least_distance(In x, double time, bool held = true) const;  // as in ObstacleContact
 
+    // Pairs of triangles that cross, of surfaces that meet by pairs (mesh/crossings.h).
+    int crossings(In x, double time) const;
+
     // Clears small overlaps of the start (see ObstacleContact::lift_out). Returns the largest move [m];
     // throws Error where that leaves cloth in an obstacle, or in cloth.
     double lift_out(Points& x) const;
 
     double thickness() const { return thickness_; }  // of the thickest barrier [m]
     const std::vector<ObstacleContact>& pairs() const { return pairs_; }
-    const SelfContact* self() const { return self_.get(); }  // null: no cloth meets cloth
+    const SelfContact* self() const { return self_.get(); }  // null: no cloth meets cloth or a mesh
     // Changes where add_couplings would couple other vertices at x than before.
-    long couplings_version(In x) const;
+    long couplings_version(In x, double time) const;
 
 private:
     const Model& model_;

@@ -14,96 +14,56 @@ constexpr double damping_ratio = 0.5;  // of critical, in the normal direction
 constexpr double steps_a_list = 10;    // that a choice of near pairs shall last
 constexpr double farthest_move = 4;    // of neighbours apart in one move of a solver, in mean edges
 constexpr double kept_part = 0.1;      // of its distance, or the thickness, that a pair keeps in a move
-constexpr double falling_part = 0.25;  // of the speed of a free fall
 constexpr double least_start = 0.01;   // of the thickness, between layers at the start
 
-// How fast one part of a cloth may meet another: by what it starts with, carried by pins, and by falling
-// from its own height [m/s]. What falls falls together, and parts meet with less: of a sheet draped
-// over a ball a quarter takes least steps, half or a tenth take more.
-double meeting_speed(const Model& model, const Vec3& gravity, const State& start) {
-    Eigen::AlignedBox3d speeds, room;
-    double pins = 0;
-    for (const Cloth& cloth : model.cloths) {
-        if (!cloth.self_contact) continue;
-        for (int i = cloth.first; i < cloth.first + cloth.vertices(); ++i) {
-            speeds.extend(Vec3(start.v.col(i)));
-            room.extend(Vec3(start.x.col(i)));
-        }
-    }
-    for (const PinGroup& group : model.pins)
-        pins = std::max(pins, group.motion.top_speed(group.rigid ? room.diagonal().norm() : 0));
-    const double fallen = std::sqrt(2 * gravity.norm() * room.diagonal().norm());
-    return speeds.diagonal().norm() + falling_part * fallen + pins;
-}
-
-std::vector<std::pair<int, int>> ranges_of(const Model& model) {
+std::vector<std::pair<int, int>> ranges_of(const Model& surfaces) {
     std::vector<std::pair<int, int>> ranges;
-    for (const Cloth& cloth : model.cloths)
+    for (const Cloth& cloth : surfaces.cloths)
         if (cloth.self_contact) ranges.emplace_back(cloth.first, cloth.vertices());
     return ranges;
 }
 
-Faces faces_of(const Model& model) {
+Faces faces_of(const Model& surfaces, std::vector<int>& surface) {
     Eigen::Index count = 0;
-    for (const Cloth& cloth : model.cloths) count += cloth.self_contact ? cloth.mesh.triangles() : 0;
+    for (const Cloth& cloth : surfaces.cloths) count += cloth.self_contact ? cloth.mesh.triangles() : 0;
     Faces faces(3, count);
     count = 0;
-    for (const Cloth& cloth : model.cloths) {
+    for (size_t s = 0; s < surfaces.cloths.size(); ++s) {
+        const Cloth& cloth = surfaces.cloths[s];
         if (!cloth.self_contact) continue;
         faces.middleCols(count, cloth.mesh.triangles()) = cloth.mesh.faces.array() + cloth.first;
         count += cloth.mesh.triangles();
+        surface.resize(static_cast<size_t>(count), static_cast<int>(s));
     }
     return faces;
 }
 
 }  // namespace
 
-std::unique_ptr<SelfContact> SelfContact::make(const Model& model, const Vec3& gravity, const State& start) {
-    if (std::none_of(model.cloths.begin(), model.cloths.end(),
-                     [](const Cloth& cloth) { return cloth.self_contact; }))
+std::unique_ptr<SelfContact> SelfContact::make(const Model& model, const std::vector<Obstacle>& obstacles,
+                                               const Vec3& gravity, const State& start, double duration) {
+    Surfaces surfaces(model, obstacles);
+    if (surfaces.meshes() == 0 && std::none_of(model.cloths.begin(), model.cloths.end(),
+                                               [](const Cloth& cloth) { return cloth.self_contact; }))
         return nullptr;
-    const double speed = meeting_speed(model, gravity, start);
-    const int cloths = static_cast<int>(model.cloths.size());
-    std::vector<Layers> layers(static_cast<size_t>(cloths * cloths));
-    std::vector<double> thickness(layers.size());
-    for (int a = 0; a < cloths; ++a) {
-        for (int b = a; b < cloths; ++b) {
-            const Cloth &one = model.cloths[static_cast<size_t>(a)],
-                        &two = model.cloths[static_cast<size_t>(b)];
-            const double one_density = one.mass.sum() / one.area.sum();
-            const double two_density = two.mass.sum() / two.area.sum();
-            Layers& both = layers[static_cast<size_t>(layers_of(a, b, cloths))];
-            both.barrier.thickness = (one.fabric.thickness + two.fabric.thickness) / 2;
-            both.density = one_density * two_density / (one_density + two_density);
-            both.friction = (one.fabric.friction + two.fabric.friction) / 2;
-            // As against an obstacle: the impact stopped about half way in, and what does not set the step. A
-            // layer of cloth presses the one below it to 0.9 of the thickness.
-            const double weight = std::max(one_density, two_density) * gravity.norm();
-            const double impact = both.density * speed * speed / 2 / both.barrier.thickness;
-            const double stretch = std::min(stretch_stiffness_per_area(one), stretch_stiffness_per_area(two));
-            both.barrier.strength =
-                std::max({80 * weight, 2 * impact, stretch * both.barrier.thickness / 60});
-            thickness[static_cast<size_t>(layers_of(a, b, cloths))] = both.barrier.thickness;
-        }
-    }
-    return std::unique_ptr<SelfContact>(
-        new SelfContact(model, std::move(layers), thickness, ranges_of(model)));
+    std::vector<Layers> layers = layers_between(surfaces, model, gravity, start, duration);
+    std::vector<double> thickness;
+    for (const Layers& both : layers) thickness.push_back(both.barrier.thickness);
+    return std::unique_ptr<SelfContact>(new SelfContact(std::move(surfaces), std::move(layers), thickness));
 }
 
-SelfContact::SelfContact(const Model& model, std::vector<Layers> layers, const std::vector<double>& thickness,
-                         std::vector<std::pair<int, int>> ranges)
-    : model_(model),
-      faces_(faces_of(model)),
+SelfContact::SelfContact(Surfaces surfaces, std::vector<Layers> layers, const std::vector<double>& thickness)
+    : surfaces_(std::move(surfaces)),
+      faces_(faces_of(surfaces_.model(), surface_)),
       layers_(std::move(layers)),
-      search_(model, thickness),
+      search_(surfaces_.model(), thickness, surfaces_.meshes()),
       thickness_(*std::max_element(thickness.begin(), thickness.end())),
-      found_drift_(ranges),
-      near_drift_(std::move(ranges)),
-      rows_(Eigen::Matrix2Xd::Zero(2, model.vertices())) {}
+      found_drift_(ranges_of(surfaces_.model())),
+      near_drift_(ranges_of(surfaces_.model())),
+      rows_(Eigen::Matrix2Xd::Zero(2, surfaces_.model().vertices())) {}
 
-const Barrier& SelfContact::barrier(int cloth, int other) const {
-    return layers_[static_cast<size_t>(layers_of(cloth, other, static_cast<int>(model_.cloths.size())))]
-        .barrier;
+const Barrier& SelfContact::barrier(int surface, int other) const {
+    return layers_[static_cast<size_t>(layers_of(surface, other, surfaces_.count()))].barrier;
 }
 
 double SelfContact::damping_of(const Layers& layers, double stiffness) const {
@@ -159,7 +119,8 @@ Nearest SelfContact::measure(SelfPair& pair, const PairPoints& at) {
     return nearest;
 }
 
-double SelfContact::energy(In x) {
+double SelfContact::energy(In cloth, double time) {
+    const auto x = surfaces_.positions(cloth, time);
     cover(x, 0);
     double energy = 0;
     for (const SelfPair& pair : near_) {
@@ -170,7 +131,11 @@ double SelfContact::energy(In x) {
     return energy;
 }
 
-void SelfContact::add_conservative(In x, Out f) {
+void SelfContact::add_conservative(In cloth, double time, Out f) {
+    const auto x = surfaces_.positions(cloth, time);
+    const auto push = [&](int vertex, const Vec3& force) {
+        if (vertex < surfaces_.columns()) f.col(vertex) += force;
+    };
     cover(x, 0);
     for (SelfPair& pair : near_) {
         const Barrier& barrier = layers(pair).barrier;
@@ -179,19 +144,26 @@ void SelfContact::add_conservative(In x, Out f) {
         const Nearest nearest = measure(pair, at);
         if (nearest.distance >= barrier.thickness || nearest.distance == 0) continue;  // caught by add_all
         const Fade fade = fade_of(pair, at);
-        const double push = pair.area * fade.part * barrier.pressure(nearest.distance);
-        for (int i = 0; i < 4; ++i) f.col(pair.vertex[i]) += push * nearest.weight[i] * nearest.normal;
+        const double pressure = pair.area * fade.part * barrier.pressure(nearest.distance);
+        for (int i = 0; i < 4; ++i) push(pair.vertex[i], pressure * nearest.weight[i] * nearest.normal);
         if (fade.slope == 0) continue;
         const PairPoints more = fading_force(pair, at, fade, barrier.energy(nearest.distance));
-        for (int i = 0; i < 4; ++i) f.col(pair.vertex[i]) += more.col(i);
+        for (int i = 0; i < 4; ++i) push(pair.vertex[i], more.col(i));
     }
 }
 
-ObstacleContact::Result SelfContact::add_all(In x, In v, Out f, NormalDamping damping) {
+ObstacleContact::Result SelfContact::add_all(In cloth, In moving, double time, Out f, NormalDamping damping) {
+    const auto x = surfaces_.positions(cloth, time), v = surfaces_.velocities(moving, time);
     cover(x, v);
     touches_.clear();
     damping_ = damping;
     ObstacleContact::Result result;
+    const auto push = [&](int vertex, const Vec3& force) {
+        if (vertex < surfaces_.columns())
+            f.col(vertex) += force;
+        else  // what moves the mesh works against it
+            result.driven -= force.dot(v.col(vertex));
+    };
     for (SelfPair& pair : near_) {
         const Layers& both = layers(pair);
         const double thickness = both.barrier.thickness;
@@ -219,13 +191,12 @@ ObstacleContact::Result SelfContact::add_all(In x, In v, Out f, NormalDamping da
         const double rate = damping_of(both, stiffness);
         const double total =
             damping == NormalDamping::force ? std::max(pressure - rate * opening, 0.0) : pressure;
-        for (int i = 0; i < 4; ++i)
-            f.col(pair.vertex[i]) += share * total * nearest.weight[i] * nearest.normal;
+        for (int i = 0; i < 4; ++i) push(pair.vertex[i], share * total * nearest.weight[i] * nearest.normal);
         double fading = 0;
         if (fade.slope > 0) {
             const double energy = both.barrier.energy(gap);
             const PairPoints more = fading_force(pair, at, fade, energy);
-            for (int i = 0; i < 4; ++i) f.col(pair.vertex[i]) += more.col(i);
+            for (int i = 0; i < 4; ++i) push(pair.vertex[i], more.col(i));
             fading = fading_stiffness(pair, at, fade, energy);
         }
         touches_.push_back({pair, nearest, share * total, share * stiffness, share * rate, fading});
@@ -238,6 +209,7 @@ ObstacleContact::Result SelfContact::add_all(In x, In v, Out f, NormalDamping da
 
 // Gershgorin: each vertex's row sums over all its pairs. Weights of each piece add up to one.
 void SelfContact::limit_modes(ContactLimits& limits) {
+    const Eigen::VectorXd& inverse_mass = surfaces_.model().inverse_mass;
     for (const Touch& touch : touches_) {
         const double stiffness = 2 * touch.stiffness;
         const double damping = damping_ == NormalDamping::force ? 2 * touch.damping : 0;
@@ -249,36 +221,37 @@ void SelfContact::limit_modes(ContactLimits& limits) {
     }
     for (const Touch& touch : touches_) {
         for (const int v : touch.pair.vertex) {
-            limits.omega_squared = std::max(limits.omega_squared, rows_(0, v) * model_.inverse_mass[v]);
-            limits.gamma = std::max(limits.gamma, rows_(1, v) * model_.inverse_mass[v]);
+            limits.omega_squared = std::max(limits.omega_squared, rows_(0, v) * inverse_mass[v]);
+            limits.gamma = std::max(limits.gamma, rows_(1, v) * inverse_mass[v]);
             rows_.col(v).setZero();
         }
     }
 }
 
 ContactWork SelfContact::rub(Points& v, double h) const {
+    const Eigen::VectorXd& inverse_mass = surfaces_.model().inverse_mass;
     ContactWork work;
     for (const Touch& touch : touches_) {
         const SelfPair& pair = touch.pair;
         const Nearest& nearest = touch.nearest;
         Vec3 relative = Vec3::Zero();
-        double inverse_mass = 0;  // how easily an impulse between the two points moves them apart [1/kg]
+        double yielding = 0;  // how easily an impulse between the two points moves them apart [1/kg]
         for (int i = 0; i < 4; ++i) {
-            relative += nearest.weight[i] * v.col(pair.vertex[i]);
-            inverse_mass += nearest.weight[i] * nearest.weight[i] * model_.inverse_mass[pair.vertex[i]];
+            relative += nearest.weight[i] * surfaces_.velocity(v, pair.vertex[i]);
+            yielding += nearest.weight[i] * nearest.weight[i] * inverse_mass[pair.vertex[i]];
         }
-        if (inverse_mass == 0) continue;
+        if (yielding == 0) continue;
         const double damping = damping_ == NormalDamping::impulse ? touch.damping * h : 0;
         const Vec3 impulse = contact_impulse(
-            {nearest.normal, touch.normal_force * h, damping, layers(pair).friction}, relative, inverse_mass);
+            {nearest.normal, touch.normal_force * h, damping, layers(pair).friction}, relative, yielding);
         for (int i = 0; i < 4; ++i) {
             const int k = pair.vertex[i];
-            if (model_.inverse_mass[k] == 0)
-                work.driven -= nearest.weight[i] * impulse.dot(v.col(k));
+            if (inverse_mass[k] == 0)
+                work.driven -= nearest.weight[i] * impulse.dot(surfaces_.velocity(v, k));
             else
-                v.col(k) += nearest.weight[i] * model_.inverse_mass[k] * impulse;
+                v.col(k) += nearest.weight[i] * inverse_mass[k] * impulse;
         }
-        work.dissipated -= impulse.dot(relative + inverse_mass / 2 * impulse);
+        work.dissipated -= impulse.dot(relative + yielding / 2 * impulse);
     }
     return work;
 }
@@ -287,9 +260,16 @@ void SelfContact::list_grips(std::vector<Grip>& grips) const {
     for (const Touch& touch : touches_) {
         const double most = layers(touch.pair).friction * touch.normal_force;
         if (!(most > 0)) continue;
-        Grip grip{{}, {}, 4, touch.nearest.normal, Vec3::Zero(), most};
-        std::copy_n(touch.pair.vertex, 4, grip.vertex);
-        std::copy_n(touch.nearest.weight, 4, grip.weight);
+        Grip grip{{}, {}, 0, touch.nearest.normal, Vec3::Zero(), most};
+        for (int i = 0; i < 4; ++i) {
+            const int v = touch.pair.vertex[i];
+            if (v < surfaces_.columns()) {
+                grip.vertex[grip.corners] = v;
+                grip.weight[grip.corners++] = touch.nearest.weight[i];
+            } else {
+                grip.surface_velocity -= touch.nearest.weight[i] * surfaces_.mesh_velocity(v);
+            }
+        }
         grips.push_back(grip);
     }
 }
@@ -319,7 +299,8 @@ double SelfContact::clear_part(const SelfPair& pair, const PairPoints& at, const
     return part;
 }
 
-double SelfContact::clear_part(In x, In move) {
+double SelfContact::clear_part(In cloth, In cloth_move, double time) {
+    const auto x = surfaces_.positions(cloth, time), move = surfaces_.moves(cloth_move);
     const double apart = near_drift_.of(move);
     const double longest = farthest_move * search_.mean_edge();
     double clear = apart > longest ? longest / apart : 1;
@@ -329,7 +310,9 @@ double SelfContact::clear_part(In x, In move) {
     return clear;
 }
 
-bool SelfContact::passed_through(In before, In after) {
+bool SelfContact::passed_through(const State& from, const State& to) {
+    const Points before = surfaces_.positions(from.x, from.time);
+    const auto after = surfaces_.positions(to.x, to.time);
     cover(before, near_drift_.of(after - before));
     return std::any_of(near_.begin(), near_.end(), [&](const SelfPair& pair) {
         const double least = kept_part * layers(pair).barrier.thickness;
@@ -339,21 +322,63 @@ bool SelfContact::passed_through(In before, In after) {
     });
 }
 
-void SelfContact::demand_apart(In x) {
-    const Crossings found = crossings(x);
-    if (found.pairs > 0)
-        throw Error(cat("cloth that meets itself starts crossing: ", found.triangles, " triangles in ",
-                        found.pairs, " pairs, the first ", found.first[0], " and ", found.first[1],
-                        " (move them apart, or self_contact = false)"));
+void SelfContact::demand_apart(In cloth) {
+    const Crossings found = crossings(cloth, 0);
+    if (found.pairs > 0) {
+        const Obstacle* mesh = surfaces_.mesh(surface_[static_cast<size_t>(found.first[1])]);
+        const std::string which = cat(found.triangles, " triangles in ", found.pairs, " pairs");
+        if (mesh)
+            throw Error(cat(mesh->place.empty() ? "" : mesh->place + ": ",
+                            "cloth starts crossing the mesh: ", which, " (move one of them)"));
+        throw Error(cat("cloth that meets itself starts crossing: ", which, ", the first ", found.first[0],
+                        " and ", found.first[1], " (move them apart, or self_contact = false)"));
+    }
+    const auto x = surfaces_.positions(cloth, 0);
     cover(x, 0);
     for (const SelfPair& pair : near_) {
         const double gap = nearest_of(pair, points_of(pair, x.data())).distance;
         const double least = least_start * layers(pair).barrier.thickness;
         if (gap < least)
-            throw Error(cat("cloth that meets itself starts ", gap, " m from itself at vertices ",
+            throw Error(cat(touches_mesh(pair) ? "cloth starts " : "cloth that meets itself starts ", gap,
+                            touches_mesh(pair) ? " m from a mesh" : " m from itself", " at vertices ",
                             pair.vertex[0], " and ", pair.vertex[3], " (at least ", least,
                             " m, a hundredth of the thickness)"));
     }
+}
+
+Crossings SelfContact::crossings(In x, double time) {
+    return count_crossings(faces_, surfaces_.positions(x, time), [this](int face, int other) {
+        return surfaces_.meet(surface_[static_cast<size_t>(face)], surface_[static_cast<size_t>(other)]);
+    });
+}
+
+Eigen::VectorXd SelfContact::room(In cloth, double time, double reach) {
+    const auto x = surfaces_.positions(cloth, time);
+    std::vector<SelfPair> pairs;
+    search_.find(x, reach, pairs);
+    Eigen::VectorXd room = Eigen::VectorXd::Constant(surfaces_.columns(), INFINITY);
+    for (const SelfPair& pair : pairs) {
+        const double distance = nearest_of(pair, points_of(pair, x.data())).distance;
+        for (const int v : pair.vertex)
+            if (v < surfaces_.columns()) room[v] = std::min(room[v], distance);
+    }
+    return room;
+}
+
+double SelfContact::least_distance(In cloth, double time, bool held) {
+    double least = INFINITY;
+    if (surfaces_.meshes() == 0) return least;
+    const auto x = surfaces_.positions(cloth, time);
+    cover(x, 0);
+    const auto is_held = [&](int v) { return surfaces_.model().inverse_mass[v] == 0; };
+    for (const SelfPair& pair : near_) {
+        if (!touches_mesh(pair)) continue;
+        if (!held && std::any_of(pair.vertex, pair.vertex + 4,
+                                 [&](int v) { return v < surfaces_.columns() && is_held(v); }))
+            continue;
+        least = std::min(least, nearest_of(pair, points_of(pair, x.data())).distance);
+    }
+    return least;
 }
 
 }  // namespace drape

@@ -1,8 +1,10 @@
-// Contact of cloth with itself and with other cloths: barrier force, normal damping, Coulomb friction.
+// Contact of cloth with itself, with other cloths and with meshes: barrier force, normal damping, Coulomb
+// friction.
 //
 // The potential is a sum over pairs (self_pair.h), its barrier as thick as the fabric: layers lie on each
 // other a thickness apart. Normal damping and friction are those of an obstacle (obstacle_contact.h), between
-// the nearest points of a pair.
+// the nearest points of a pair. Meshes are surfaces like cloths, whose vertices nothing but their motion
+// moves.
 //
 // Two lists keep what is looked at few. Those pairs that motion may bring into contact soon are `near`,
 // chosen from those that it may bring there at all, which a search (self_search.h) finds. Both hold until
@@ -10,60 +12,71 @@
 // contact, in one order, and no result depends on when the lists were made.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "cloth/block_matrix.h"
 #include "contact/drift.h"
+#include "contact/layers.h"
 #include "contact/obstacle_contact.h"
 #include "contact/self_search.h"
+#include "contact/surfaces.h"
 #include "mesh/crossings.h"
 
 namespace drape {
 
 class SelfContact {
 public:
-    // null if no cloth of the model meets cloth. `start` and `gravity` tell how fast cloth may meet cloth;
-    // the model must outlive this.
-    static std::unique_ptr<SelfContact> make(const Model& model, const Vec3& gravity, const State& start);
+    // null if no cloth of the model meets cloth, and no obstacle is a mesh; of others it knows nothing. How
+    // fast surfaces may meet is told by what follows; the model must outlive this.
+    static std::unique_ptr<SelfContact> make(const Model& model, const std::vector<Obstacle>& obstacles,
+                                             const Vec3& gravity, const State& start, double duration);
 
     // Evaluations from now on are steps of h apart: pairs that one may bring into contact are listed, so that
     // they can shorten it.
     void prepare(double h);
 
-    double energy(In x);
-    void add_conservative(In x, Out f);
+    double energy(In x, double time);
+    void add_conservative(In x, double time, Out f);
     // as in ObstacleContact
-    ObstacleContact::Result add_all(In x, In v, Out f, NormalDamping damping = NormalDamping::force);
+    ObstacleContact::Result add_all(In x, In v, double time, Out f,
+                                    NormalDamping damping = NormalDamping::force);
 
     // For implicit methods, as in ObstacleContact. Which vertices are coupled changes with x, and then the
     // version (self_contact_matrices.cpp).
-    long couplings_version(In x);
+    long couplings_version(In x, double time);
     void add_couplings(Couplings& couplings) const;
-    void add_stiffness(In x, In v, BlockMatrix& k);
-    void add_damping(In x, In v, BlockMatrix& b);
+    void add_stiffness(In x, In v, double time, BlockMatrix& k);
+    void add_damping(In x, In v, double time, BlockMatrix& b);
 
     ContactWork rub(Points& v, double h) const;
     void list_grips(std::vector<Grip>& grips) const;
 
     // How much of `move` from x (at most 1) keeps every pair apart, by a tenth of its distance at least, and
     // no farther than some edges apart from its neighbours.
-    double clear_part(In x, In move);
-    // Whether cloth went through cloth on its straight way from one to the other.
-    bool passed_through(In before, In after);
+    double clear_part(In x, In move, double time);
+    // Whether cloth went through cloth or a mesh on the straight way from one to the other.
+    bool passed_through(const State& before, const State& after);
 
     // Throws Error where triangles cross, or touch so nearly that no force could part them.
     void demand_apart(In x);
-    Crossings crossings(In x) const { return count_crossings(faces_, x); }
+    // of triangles that are to meet; a mesh may cross itself and others
+    Crossings crossings(In x, double time);
+    // The least distance of cloth from any mesh, as far as that is near; else infinite. As in
+    // ObstacleContact.
+    double least_distance(In x, double time, bool held);
 
-    const Barrier& barrier(int cloth, int other) const;
+    // Per column of the State: the least distance of its triangles from others, of those that are nearer than
+    // `reach` and that contact keeps apart; else infinite [m].
+    Eigen::VectorXd room(In x, double time, double reach);
+    double mean_edge() const { return search_.mean_edge(); }  // [m]
+
+    const Surfaces& surfaces() const { return surfaces_; }
+    // of two cloths, or of a cloth and a mesh, numbered after the cloths
+    const Barrier& barrier(int surface, int other) const;
 
 private:
-    struct Layers {  // two cloths, or one with itself
-        Barrier barrier;
-        double density;   // of both together, as far as their relative motion goes [kg/m^2]
-        double friction;  // [-]
-    };
     struct Touch {
         SelfPair pair;
         Nearest nearest;
@@ -72,8 +85,7 @@ private:
         double damping;       // [N s/m]
         double fading;        // stiffness of its fading potential [N/m]
     };
-    SelfContact(const Model& model, std::vector<Layers> layers, const std::vector<double>& thickness,
-                std::vector<std::pair<int, int>> ranges);
+    SelfContact(Surfaces surfaces, std::vector<Layers> layers, const std::vector<double>& thickness);
 
     const Layers& layers(const SelfPair& pair) const { return layers_[static_cast<size_t>(pair.layers)]; }
     double damping_of(const Layers& layers, double stiffness) const;
@@ -82,15 +94,20 @@ private:
     // ... and that may close in within the next step
     void cover(In x, In v);
     void list(In x, double drift);
-    bool found_hold(In x) const;  // and will while near_ does
+    bool found_hold(In x) const;                     // and will while near_ does
+    bool touches_mesh(const SelfPair& pair) const {  // the vertices of a mesh are the last
+        return std::max(pair.vertex[0], pair.vertex[3]) >= surfaces_.columns();
+    }
     static Nearest measure(SelfPair& pair, const PairPoints& at);
     void limit_modes(ContactLimits& limits);
     double clear_part(const SelfPair& pair, const PairPoints& at, const PairPoints& way, double most) const;
     template <class Visit>
-    void each_press(In x, In v, Visit visit);
+    void each_press(In x, In v, double time, Visit visit);
+    void add_element(const SelfPair& pair, const PairMatrix& value, BlockMatrix& matrix) const;
 
-    const Model& model_;
-    Faces faces_;                 // of the cloths that meet cloth, columns of the State
+    Surfaces surfaces_;
+    std::vector<int> surface_;    // of each of faces_
+    Faces faces_;                 // of all surfaces that meet any
     std::vector<Layers> layers_;  // by layers_of
     SelfSearch search_;
     double thickness_;  // of the thickest barrier [m]

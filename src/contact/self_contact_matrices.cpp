@@ -10,7 +10,7 @@ namespace drape {
 
 namespace {
 
-BlockMatrix::Element along_normal(const Nearest& nearest, double value) {
+PairMatrix along_normal(const Nearest& nearest, double value) {
     Eigen::Matrix<double, 12, 1> gradient;
     for (int i = 0; i < 4; ++i) gradient.segment<3>(3 * i) = nearest.weight[i] * nearest.normal;
     return value * gradient * gradient.transpose();
@@ -19,7 +19,8 @@ BlockMatrix::Element along_normal(const Nearest& nearest, double value) {
 }  // namespace
 
 template <class Visit>
-void SelfContact::each_press(In x, In v, Visit visit) {
+void SelfContact::each_press(In cloth, In moving, double time, Visit visit) {
+    const auto x = surfaces_.positions(cloth, time), v = surfaces_.velocities(moving, time);
     cover(x, 0);
     for (const SelfPair& pair : near_) {
         const Layers& both = layers(pair);
@@ -34,34 +35,65 @@ void SelfContact::each_press(In x, In v, Visit visit) {
     }
 }
 
-long SelfContact::couplings_version(In x) {
-    cover(x, 0);
+namespace {
+
+// those of a pair's vertices that are columns of the State, as places in the pair
+int free_corners(const SelfPair& pair, int columns, int (&corner)[4]) {
+    int count = 0;
+    for (int i = 0; i < 4; ++i)
+        if (pair.vertex[i] < columns) corner[count++] = i;
+    return count;
+}
+
+}  // namespace
+
+long SelfContact::couplings_version(In x, double time) {
+    cover(surfaces_.positions(x, time), 0);
     return version_;
 }
 
 void SelfContact::add_couplings(Couplings& couplings) const {
-    for (const SelfPair& pair : near_) couplings.couple(pair.vertex);
+    for (const SelfPair& pair : near_) {
+        int corner[4], vertex[4];
+        const int count = free_corners(pair, surfaces_.columns(), corner);
+        for (int i = 0; i < count; ++i) vertex[i] = pair.vertex[corner[i]];
+        couplings.couple({vertex, static_cast<size_t>(count)});
+    }
 }
 
-void SelfContact::add_stiffness(In x, In v, BlockMatrix& k) {
-    each_press(x, v, [&](const SelfPair& pair, const PairPoints& at, const Nearest& nearest, double opening) {
-        const Layers& both = layers(pair);
-        const double stiffness = both.barrier.stiffness(nearest.distance);
-        const double slope =
-            damping_of(both, stiffness) * both.barrier.stiffness_slope(nearest.distance) / (2 * stiffness);
-        const double share = pair.area * fade_of(pair, at).part;
-        k.add_element(pair.vertex,
-                      pair_hessian(pair, both.barrier, at) + along_normal(nearest, share * slope * opening));
-    });
+// A mesh's vertices have no rows.
+void SelfContact::add_element(const SelfPair& pair, const PairMatrix& value, BlockMatrix& matrix) const {
+    int corner[4], vertex[4];
+    const int count = free_corners(pair, surfaces_.columns(), corner);
+    BlockMatrix::Element element(3 * count, 3 * count);
+    for (int i = 0; i < count; ++i) {
+        vertex[i] = pair.vertex[corner[i]];
+        for (int j = 0; j < count; ++j)
+            element.block<3, 3>(3 * i, 3 * j) = value.block<3, 3>(3 * corner[i], 3 * corner[j]);
+    }
+    matrix.add_element({vertex, static_cast<size_t>(count)}, element);
 }
 
-void SelfContact::add_damping(In x, In v, BlockMatrix& b) {
-    each_press(x, v, [&](const SelfPair& pair, const PairPoints& at, const Nearest& nearest, double) {
+void SelfContact::add_stiffness(In x, In v, double time, BlockMatrix& k) {
+    each_press(
+        x, v, time, [&](const SelfPair& pair, const PairPoints& at, const Nearest& nearest, double opening) {
+            const Layers& both = layers(pair);
+            const double stiffness = both.barrier.stiffness(nearest.distance);
+            const double slope = damping_of(both, stiffness) *
+                                 both.barrier.stiffness_slope(nearest.distance) / (2 * stiffness);
+            const double share = pair.area * fade_of(pair, at).part;
+            add_element(pair,
+                        pair_hessian(pair, both.barrier, at) + along_normal(nearest, share * slope * opening),
+                        k);
+        });
+}
+
+void SelfContact::add_damping(In x, In v, double time, BlockMatrix& b) {
+    each_press(x, v, time, [&](const SelfPair& pair, const PairPoints& at, const Nearest& nearest, double) {
         const Layers& both = layers(pair);
         const double share = pair.area * fade_of(pair, at).part;
-        b.add_element(
-            pair.vertex,
-            along_normal(nearest, share * damping_of(both, both.barrier.stiffness(nearest.distance))));
+        const double damping = damping_of(both, both.barrier.stiffness(nearest.distance));
+        add_element(pair, along_normal(nearest, share * damping), b);
     });
 }
 

@@ -13,6 +13,7 @@ constexpr double full_angle = 0.01;  // square of the sine from which edges have
 constexpr double triangle_share =
     0.25;                            // of a vertex's area: both sides' vertices and edges make up the whole
 constexpr double edge_share = 0.25;  // of two edges' area, some two of which lie across each
+constexpr double mesh_share = 0.5;   // of a vertex's area against a mesh, which may have no vertices nearby
 constexpr size_t most_candidates = 4096;                       // that wait to be looked at
 constexpr double most_cells = 1 << 20, most_cells_a_box = 64;  // of the grid and of a box, along a side
 
@@ -28,20 +29,22 @@ bool shares(const int* vertex, int v) {
 
 }  // namespace
 
-SelfSearch::SelfSearch(const Model& model, std::vector<double> thickness)
+SelfSearch::SelfSearch(const Model& model, std::vector<double> thickness, int meshes)
     : rest_(3, model.vertices()),
       cloth_(static_cast<size_t>(model.vertices())),
       part_(static_cast<size_t>(model.vertices())),
       area_(model.vertices()),
       inverse_mass_(model.inverse_mass),
       thickness_(std::move(thickness)),
-      cloths_(static_cast<int>(model.cloths.size())) {
+      cloths_(static_cast<int>(model.cloths.size())),
+      first_mesh_(cloths_ - meshes) {
     number_faces(model);
 }
 
 void SelfSearch::number_faces(const Model& model) {
     int parts = 0;
     double length = 0;
+    size_t edges_of_cloth = 0;
     for (int c = 0; c < cloths_; ++c) {
         const Cloth& cloth = model.cloths[static_cast<size_t>(c)];
         rest_.middleCols(cloth.first, cloth.vertices()) = cloth.mesh.rest;
@@ -60,7 +63,7 @@ void SelfSearch::number_faces(const Model& model) {
         for (size_t e = 0; e < edges.size(); ++e)
             edges_of[static_cast<size_t>(edges[e].face[0])].push_back(int(e));
         for (int f = 0; f < cloth.mesh.triangles(); ++f) {
-            Face face{{}, static_cast<int>(owned_edges_.size()), 0, 0};
+            Face face{{}, static_cast<int>(owned_edges_.size()), 0, 0, c};
             for (int k = 0; k < 3; ++k) {
                 const int v = cloth.mesh.faces(k, f);
                 face.vertex[k] = cloth.first + v;
@@ -82,13 +85,16 @@ void SelfSearch::number_faces(const Model& model) {
                 const int from = cloth.first + edge.vertex[0], to = cloth.first + edge.vertex[1];
                 owned_edges_.push_back({from, to});
                 edge_area_.push_back(area);
-                length += (rest_.col(to) - rest_.col(from)).norm();
+                if (c < first_mesh_) {
+                    length += (rest_.col(to) - rest_.col(from)).norm();
+                    ++edges_of_cloth;
+                }
             }
             face.edges = static_cast<int>(owned_edges_.size()) - face.first_edge;
             faces_.push_back(face);
         }
     }
-    if (!owned_edges_.empty()) mean_edge_ = length / static_cast<double>(owned_edges_.size());
+    if (edges_of_cloth > 0) mean_edge_ = length / static_cast<double>(edges_of_cloth);
 }
 
 bool SelfSearch::make_boxes(In x, double margin) {
@@ -189,6 +195,7 @@ void SelfSearch::look_into(size_t bucket) {
         if (cell_of(corner) != entry.cell) continue;
         const Face &one = faces_[static_cast<size_t>(entry.face)],
                    &two = faces_[static_cast<size_t>(other.face)];
+        if (!meet(one.cloth, two.cloth)) continue;
         add_vertices(one, two);
         add_vertices(two, one);
         add_edges(one, two);
@@ -223,21 +230,33 @@ void SelfSearch::sift(In x, double reach, std::vector<SelfPair>& pairs) {
     vertex_candidates_.resize(sift_triangles(x.data(), reach, vertex_candidates_));
     for (const Candidate& near : vertex_candidates_) {
         const int* v = near.vertex;
-        SelfPair pair{
-            {v[0], v[1], v[2], v[3]}, layers_at(v[0], v[1]), false, triangle_share * area_[v[0]], 0};
+        SelfPair pair{{v[0], v[1], v[2], v[3]}, layers_at(v[0], v[1]), false, vertex_area(v), 0};
         std::sort(pair.vertex + 1, pair.vertex + 4);
         keep_if_near(x, pair, reach, pairs);
     }
     edge_candidates_.resize(sift_edges(x.data(), reach, edge_candidates_));
     for (const Candidate& near : edge_candidates_) {
         const int* v = near.vertex;
-        const double area =
-            edge_area_[static_cast<size_t>(near.first)] + edge_area_[static_cast<size_t>(near.second)];
-        keep_if_near(x, {{v[0], v[1], v[2], v[3]}, layers_at(v[0], v[2]), true, edge_share * area / 2, 0},
-                     reach, pairs);
+        keep_if_near(x, {{v[0], v[1], v[2], v[3]}, layers_at(v[0], v[2]), true, edges_area(near), 0}, reach,
+                     pairs);
     }
     vertex_candidates_.clear();
     edge_candidates_.clear();
+}
+
+// A mesh's pieces may be far larger than the cloth's: no pair stands for more than the cloth has there.
+double SelfSearch::vertex_area(const int* vertex) const {
+    if (is_mesh(vertex[1])) return mesh_share * area_[vertex[0]];
+    if (!is_mesh(vertex[0])) return triangle_share * area_[vertex[0]];
+    const double beside = (area_[vertex[1]] + area_[vertex[2]] + area_[vertex[3]]) / 3;
+    return triangle_share * std::min(area_[vertex[0]], beside);
+}
+
+double SelfSearch::edges_area(const Candidate& edges) const {
+    const double one = edge_area_[static_cast<size_t>(edges.first)],
+                 two = edge_area_[static_cast<size_t>(edges.second)];
+    if (is_mesh(edges.vertex[0]) || is_mesh(edges.vertex[2])) return edge_share * std::min(one, two);
+    return edge_share * (one + two) / 2;
 }
 
 void SelfSearch::keep_if_near(In x, SelfPair pair, double reach, std::vector<SelfPair>& pairs) const {

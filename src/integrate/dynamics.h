@@ -84,7 +84,9 @@ public:
     // contact, symmetric. Only contact's K depends on v.
     Couplings couplings() const;
     // changes where contact at x couples others than before
-    long couplings_version(In x) const { return contact_ ? contact_->couplings_version(x) : 0; }
+    long couplings_version(In x, double time) const {
+        return contact_ ? contact_->couplings_version(x, time) : 0;
+    }
     void add_stiffness(In x, In v, double time, BlockMatrix& k) const;
     void add_damping(In x, In v, double time, BlockMatrix& b) const;
     // For those with a constant matrix: what bounds contact's and friction's K + B / c at this moment, per

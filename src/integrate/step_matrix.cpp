@@ -10,7 +10,7 @@ StepMatrix::StepMatrix(const Dynamics& dynamics)
 }
 
 bool StepMatrix::factorise(const Dynamics& dynamics, In x, In v, double time, double c, Curvature curvature) {
-    if (const long version = dynamics.couplings_version(x); version != version_) {
+    if (const long version = dynamics.couplings_version(x, time); version != version_) {
         version_ = version;
         matrix_ = BlockMatrix(dynamics.model(), dynamics.couplings());
         factor_.analyzePattern(matrix_.lower());

@@ -107,9 +107,12 @@ bool any_side_meets(const Triangle& one, const Triangle& two) {
 
 class Counter {
 public:
-    Counter(const Faces& faces, In x) : faces_(faces), x_(x), crosses_(static_cast<size_t>(faces.cols())) {}
+    using Counts = std::function<bool(int, int)>;
+    Counter(const Faces& faces, In x, const Counts& counts)
+        : faces_(faces), x_(x), counts_(counts), crosses_(static_cast<size_t>(faces.cols())) {}
 
     void look_at(int one, int two) {
+        if (!counts_(one, two)) return;
         int shared = 0, corner = -1, other = -1;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
@@ -142,6 +145,7 @@ private:
 
     const Faces& faces_;
     Eigen::Ref<const Points> x_;
+    const Counts& counts_;
     std::vector<bool> crosses_;
     Crossings found_;
 };
@@ -235,6 +239,10 @@ private:
 }  // namespace
 
 Crossings count_crossings(const Faces& faces, In x) {
+    return count_crossings(faces, x, [](int, int) { return true; });
+}
+
+Crossings count_crossings(const Faces& faces, In x, const std::function<bool(int, int)>& counts) {
     std::vector<Box> boxes;
     boxes.reserve(static_cast<size_t>(faces.cols()));
     for (Eigen::Index f = 0; f < faces.cols(); ++f) {
@@ -242,7 +250,7 @@ Crossings count_crossings(const Faces& faces, In x) {
         if (!(a + b + c).allFinite()) continue;
         boxes.push_back({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), static_cast<int>(f)});
     }
-    Counter counter(faces, x);
+    Counter counter(faces, x, counts);
     Halving(std::move(boxes), counter);
     return counter.found();
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "base/points.h"
 
@@ -20,5 +21,8 @@ struct Crossings {
 
 // Columns of `x` that are not finite make their triangles cross nothing.
 Crossings count_crossings(const Faces& faces, In x);
+
+// Only of pairs of triangles that `counts` says do.
+Crossings count_crossings(const Faces& faces, In x, const std::function<bool(int, int)>& counts);
 
 }  // namespace drape

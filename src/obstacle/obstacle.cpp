@@ -15,6 +15,8 @@ constexpr std::array<std::string_view, 4> box_keys{"centre", "size", "rotate_deg
 constexpr std::array<std::string_view, 5> cylinder_keys{"centre", "axis", "radius", "height", "rounding"};
 constexpr std::array<std::string_view, 4> torus_keys{"centre", "axis", "radius", "tube_radius"};
 
+constexpr std::array<std::string_view, 3> mesh_keys{"mesh", "place", "thickness"};
+
 constexpr std::array kinds{
     SolidKind{"plane", "half space below a plane", plane_keys, make_plane},
     SolidKind{"sphere", "ball", sphere_keys, make_sphere},
@@ -23,6 +25,7 @@ constexpr std::array kinds{
     SolidKind{"cylinder", "round bar with flat caps, its rims rounded or sharp", cylinder_keys,
               make_cylinder},
     SolidKind{"torus", "ring", torus_keys, make_torus},
+    SolidKind{"mesh", "triangles of a file, closed or open, met from either side", mesh_keys, nullptr},
 };
 
 }  // namespace
@@ -46,6 +49,10 @@ Mat3 curvature(const Solid& solid, const Vec3& p) {
 }
 
 std::span<const SolidKind> solid_kinds() {
+    return std::span(kinds).first(kinds.size() - 1);
+}
+
+std::span<const SolidKind> obstacle_kinds() {
     return kinds;
 }
 

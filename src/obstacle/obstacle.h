@@ -1,5 +1,6 @@
-// Obstacles: solids cloth cannot enter, as signed distances. One file per kind; a new kind is its file, its
-// row in the table of obstacle.cpp and its line in the README; the tests loop over the table.
+// Obstacles: solids cloth cannot enter, as signed distances; and meshes, which it cannot cross. One file per
+// kind; a new kind is its file, its row in the table of obstacle.cpp and its line in the README; the tests
+// loop over the table.
 #pragma once
 
 #include <cmath>
@@ -35,6 +36,10 @@ public:
     virtual Vec3 centre() const = 0;
     virtual double reach() const = 0;
 
+    // The triangles of a mesh, which cloth meets as it meets cloth; null of solids that are distances. A mesh
+    // bounds no solid: its sample() is that of the box around it, which no part of it is nearer than.
+    virtual const Mesh* triangles() const { return nullptr; }
+
     // The surface as triangles for drawing, normals outward, fine enough to look smooth. A plane gives a
     // square of side `extent` around its centre.
     virtual Mesh surface(double extent) const = 0;
@@ -48,10 +53,15 @@ struct SolidKind {
     std::string_view name;
     std::string_view summary;
     std::span<const std::string_view> keys;  // the scene keys it reads beyond `shape`, `friction`, `motion`
-    std::unique_ptr<Solid> (*make)(const ShapeParameters&);  // throws Error on impossible numbers
+    // throws Error on impossible numbers; null: triangles of a file (make_mesh)
+    std::unique_ptr<Solid> (*make)(const ShapeParameters&);
 };
 
-std::span<const SolidKind> solid_kinds();
+std::span<const SolidKind> solid_kinds();     // those that are distances
+std::span<const SolidKind> obstacle_kinds();  // and meshes
+
+// At least one triangle.
+std::unique_ptr<Solid> make_mesh(Mesh mesh);
 
 // A solid in the world, perhaps moving.
 struct Obstacle {
@@ -59,6 +69,7 @@ struct Obstacle {
     std::shared_ptr<const Solid> solid;
     RigidMotion motion;
     double friction = 0;     // Coulomb's coefficient between it and cloth [-]
+    double thickness = 0;    // of a mesh: how far cloth keeps off it, besides half its own thickness [m]
     std::string place = {};  // where a scene says so, for messages; "" = nowhere
 
     // No point of its surface, as far out as cloth can touch it, is ever faster than this, or between two

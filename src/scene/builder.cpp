@@ -1,6 +1,7 @@
 #include "scene/builder.h"
 
 #include "base/error.h"
+#include "base/names.h"
 #include "base/timer.h"
 #include "io/load_mesh.h"
 #include "scene/curved_places.h"
@@ -65,11 +66,13 @@ void append(State& state, const Points& x, const Vec3& velocity) {
     state.v.rightCols(x.cols()).colwise() = velocity;
 }
 
-std::shared_ptr<const Solid> make_solid(const ObstacleDescription& obstacle) {
-    for (const SolidKind& kind : solid_kinds())
-        if (kind.name == obstacle.shape)
-            return in_context(obstacle.place.text, [&] { return kind.make(obstacle.parameters); });
-    throw Error(cat(obstacle.place.text, ": unknown obstacle \"", obstacle.shape, "\""));
+std::shared_ptr<const Solid> make_solid(const SceneDescription& scene, const ObstacleDescription& obstacle,
+                                        std::vector<std::string>& notes) {
+    const SolidKind& kind = find_named(obstacle_kinds(), "obstacle", obstacle.shape);
+    if (kind.make) return in_context(obstacle.place.text, [&] { return kind.make(obstacle.parameters); });
+    Mesh mesh = load_noted(scene, obstacle.mesh, obstacle.mesh_place, notes);
+    mesh.rest = place(obstacle.placement, mesh.rest);
+    return make_mesh(std::move(mesh));
 }
 
 }  // namespace
@@ -114,9 +117,12 @@ Built build_scene(const SceneDescription& scene) {
         for (const PinDescription& pin : description.pins)
             add_pins(setup.model, find_pins(pin, cloth, setup.start.x));
     }
-    for (const ObstacleDescription& obstacle : scene.obstacles)
-        setup.obstacles.push_back({obstacle.shape, make_solid(obstacle), RigidMotion(obstacle.motion),
-                                   obstacle.friction, obstacle.place.text});
+    for (const ObstacleDescription& obstacle : scene.obstacles) {
+        const CpuScope timer(built.load_seconds);
+        setup.obstacles.push_back({obstacle.shape, make_solid(scene, obstacle, built.notes),
+                                   RigidMotion(obstacle.motion), obstacle.friction, obstacle.thickness,
+                                   obstacle.place.text});
+    }
     setup.world = {scene.gravity, scene.air};
     setup.world.air.seed = scene.seed;
     setup.frame_rate = scene.frame_rate;

@@ -72,11 +72,14 @@ struct ClothDescription {
 
 struct ObstacleDescription {
     std::string shape;
-    ShapeParameters parameters;
-    double friction = 0.3;  // Coulomb's coefficient between it and cloth [-]
+    ShapeParameters parameters;  // of solids that are distances
+    std::string mesh;            // of a mesh: its file, relative to the scene's folder
+    Placement placement;         // ... placed in its own frame, before motion
+    double thickness = 0.003;    // ... how far cloth keeps off it, besides half its own thickness [m]
+    double friction = 0.3;       // Coulomb's coefficient between it and cloth [-]
     std::vector<Keyframe> motion;
     Colour colour{0x9e / 255.0f, 0xa1 / 255.0f, 0xa8 / 255.0f};
-    Place place;
+    Place place, mesh_place;
 };
 
 struct CameraDescription {

@@ -5,8 +5,6 @@
 
 namespace drape {
 
-namespace {
-
 Placement read_placement(const Value& value) {
     const Keys keys(value, "place", {"translate", "rotate_deg", "scale"});
     Placement placement;
@@ -15,6 +13,8 @@ Placement read_placement(const Value& value) {
     keys.read("scale", placement.scale, positive());
     return placement;
 }
+
+namespace {
 
 void read_start(const Value& value, ClothDescription& cloth) {
     const Keys keys(value, "start", {"velocity", "scale", "mesh"});

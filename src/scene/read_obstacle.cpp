@@ -29,7 +29,7 @@ ObstacleDescription read_obstacle(const Value& value) {
     if (value.kind != Value::Kind::table) Keys(value, "obstacle", {});
     const Value* shape = value.find("shape");
     if (!shape) fail(value.place, "obstacle: shape is missing");
-    const SolidKind& kind = as_kind(*shape, "obstacle", solid_kinds());
+    const SolidKind& kind = as_kind(*shape, "obstacle", obstacle_kinds());
 
     std::vector<std::string> known{"shape"};
     known.insert(known.end(), kind.keys.begin(), kind.keys.end());
@@ -46,6 +46,16 @@ ObstacleDescription read_obstacle(const Value& value) {
     keys.read("friction", obstacle.friction, not_negative());
     if (const Value* motion = keys.find("motion")) obstacle.motion = read_motion(*motion);
     if (const Value* colour = keys.find("colour")) obstacle.colour = read_colour(*colour, "colour");
+
+    if (!kind.make) {
+        const Value& mesh = keys.need("mesh");
+        obstacle.mesh = as_text(mesh, "mesh");
+        obstacle.mesh_place = mesh.place;
+        if (obstacle.mesh.empty()) fail(mesh.place, "mesh must name a file");
+        if (const Value* place = keys.find("place")) obstacle.placement = read_placement(*place);
+        keys.read("thickness", obstacle.thickness, positive("m"));
+        return obstacle;
+    }
 
     // what only the kind itself knows: a tube wider than its ring, a zero axis
     in_context(obstacle.place.text, [&] { return kind.make(obstacle.parameters); });

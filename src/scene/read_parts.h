@@ -14,6 +14,7 @@ Fabric read_fabric(const Value&, std::string& preset);
 ObstacleDescription read_obstacle(const Value&);
 // Keyframes, in increasing time.
 std::vector<Keyframe> read_motion(const Value&);
+Placement read_placement(const Value&);
 AccuracyDescription read_accuracy(const Value&);
 AirDescription read_air(const Value&);
 LookDescription read_look(const Value&);

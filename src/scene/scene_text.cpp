@@ -142,15 +142,18 @@ std::string pattern_text(const ClothDescription& cloth) {
     return text + " }\n";
 }
 
+std::string placement_text(const Placement& placement) {
+    return cat("place = { translate = ", toml(placement.translate),
+               ", rotate_deg = ", toml(placement.rotate_deg), ", scale = ", toml(placement.scale), " }\n");
+}
+
 std::string cloth_text(const ClothDescription& cloth) {
     std::string text = "\n[[cloth]]\n";
     if (cloth.mesh.empty())
         text += pattern_text(cloth);
     else
         text += cat("mesh = ", toml(cloth.mesh), "\n");
-    text += cat("place = { translate = ", toml(cloth.placement.translate),
-                ", rotate_deg = ", toml(cloth.placement.rotate_deg),
-                ", scale = ", toml(cloth.placement.scale), " }\n");
+    text += placement_text(cloth.placement);
     text += cat("start = { velocity = ", toml(cloth.start.velocity), ", scale = ", toml(cloth.start.scale));
     if (!cloth.start.mesh.empty()) text += cat(", mesh = ", toml(cloth.start.mesh));
     text += cat(" }\nfabric = ", toml(cloth.fabric, cloth.fabric_name), "\npins = [");
@@ -167,8 +170,13 @@ std::string shape_value(const ShapeParameters& parameters, std::string_view name
 
 std::string obstacle_text(const ObstacleDescription& obstacle) {
     std::string text = cat("\n[[obstacle]]\nshape = ", toml(obstacle.shape), "\n");
-    for (const std::string_view key : find_named(solid_kinds(), "obstacle", obstacle.shape).keys)
-        text += cat(key, " = ", shape_value(obstacle.parameters, key), "\n");
+    const SolidKind& kind = find_named(obstacle_kinds(), "obstacle", obstacle.shape);
+    if (kind.make)
+        for (const std::string_view key : kind.keys)
+            text += cat(key, " = ", shape_value(obstacle.parameters, key), "\n");
+    else
+        text += cat("mesh = ", toml(obstacle.mesh), "\n", placement_text(obstacle.placement),
+                    "thickness = ", toml(obstacle.thickness), "\n");
     return text + cat("friction = ", toml(obstacle.friction), "\nmotion = ", toml(obstacle.motion),
                       "\ncolour = ", toml(obstacle.colour), "\n");
 }

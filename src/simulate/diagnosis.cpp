@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "contact/self_contact.h"
 
 namespace drape {
 
@@ -50,7 +51,8 @@ std::string strongest_force(const Dynamics& dynamics, const State& state, int ve
 std::string_view met_by_cloth(const Dynamics& dynamics) {
     const Contact* contact = dynamics.contact();
     if (!contact || !contact->self()) return "an obstacle";
-    return contact->pairs().empty() ? "cloth" : "an obstacle or cloth";
+    const bool alone = contact->pairs().empty() && contact->self()->surfaces().meshes() == 0;
+    return alone ? "cloth" : "an obstacle or cloth";
 }
 
 double median_mass(const Model& model) {

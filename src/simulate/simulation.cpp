@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/names.h"
+#include "contact/self_contact.h"
 #include "simulate/reach.h"
 #include "simulate/strain.h"
 
@@ -41,7 +42,10 @@ void Simulation::take_method(std::string_view method, std::string because) {
         throw Error(cat("method ", method, " is for scenes that conserve energy; this one has ",
                         joined(dynamics_->losses()), " (verlet, rk4 and embedded_rk take any)"));
     if (const Contact* contact = dynamics_->contact(); contact && contact->self() && !method_->meets_itself)
-        throw Error(cat("method ", method, " cannot do self_contact = true (verlet and backward_euler can)"));
+        throw Error(cat(
+            "method ", method, " cannot do ",
+            contact->self()->surfaces().meshes() > 0 ? "obstacles that are meshes" : "self_contact = true",
+            " (verlet and backward_euler can)"));
     integrator_ = method_->make();
     // where springs project, nobody counts what moving pins pull at them
     const bool drive = !method_->projects_springs || !has_moving_pins(setup_.model);

@@ -90,7 +90,7 @@ FrameReport Simulation::next_frame() {
         return report;
     }
     if (const Contact* contact = dynamics_->contact(); contact && contact->self())
-        report.crossings = contact->self()->crossings(state_.x).pairs;
+        report.crossings = contact->crossings(state_.x, state_.time);
     ++frame_;
     weighed_ = true;
     report.time = state_.time;

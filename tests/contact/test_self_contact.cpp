@@ -37,12 +37,13 @@ Setup two_sheets(int divisions, double gap, double thickness, std::vector<Obstac
 struct Pressed {
     Setup setup = two_sheets(3, 0.006, 0.01);
     Points x = setup.start.x + random_points(x_columns(), 0.004, 5), v = random_points(x_columns(), 0.1, 6);
-    std::unique_ptr<SelfContact> contact = SelfContact::make(setup.model, Vec3(0, -9.81, 0), setup.start);
+    std::unique_ptr<SelfContact> contact =
+        SelfContact::make(setup.model, {}, Vec3(0, -9.81, 0), setup.start, 1);
 
     Eigen::Index x_columns() const { return setup.start.x.cols(); }
     Points force(In at, In moving) {
         Points f = Points::Zero(3, x_columns());
-        contact->add_all(at, moving, f);
+        contact->add_all(at, moving, 0, f);
         return f;
     }
     double kinetic_energy() const {
@@ -69,10 +70,10 @@ TEST_CASE("contact of cloth with cloth pushes by the slope of its energy and kee
     const Points still = Points::Zero(3, t.x.cols());
     const Points f = t.force(t.x, still);
     REQUIRE(f.norm() > 0);
-    const Points expected = minus_gradient([&](In x) { return t.contact->energy(x); }, t.x, 1e-6);
+    const Points expected = minus_gradient([&](In x) { return t.contact->energy(x, 0); }, t.x, 1e-6);
     CHECK((f - expected).norm() < 1e-5 * f.norm());
     Points conservative = still;
-    t.contact->add_conservative(t.x, conservative);
+    t.contact->add_conservative(t.x, 0, conservative);
     CHECK((conservative - f).norm() < 1e-14 * f.norm());
     const Points damped = t.force(t.x, t.v);
     CHECK(net_force(damped).norm() < 1e-13 * damped.norm());
@@ -82,8 +83,8 @@ TEST_CASE("contact of cloth with cloth pushes by the slope of its energy and kee
 TEST_CASE("damping and friction between layers take the energy that is booked as heat", "[contact]") {
     Pressed t;
     Points f = Points::Zero(3, t.x.cols()), conservative = f;
-    const ObstacleContact::Result result = t.contact->add_all(t.x, t.v, f);
-    t.contact->add_conservative(t.x, conservative);
+    const ObstacleContact::Result result = t.contact->add_all(t.x, t.v, 0, f);
+    t.contact->add_conservative(t.x, 0, conservative);
     CHECK(result.contacts > 0);
     CHECK(result.dissipated > 0);
     CHECK(result.dissipated == Approx(-(f - conservative).cwiseProduct(t.v).sum()));
@@ -107,7 +108,7 @@ TEST_CASE("impulses between layers book what pins take that move", "[contact]") 
         return energy;
     };
     Points f = Points::Zero(3, t.x.cols());
-    t.contact->add_all(t.x, t.v, f, NormalDamping::impulse);
+    t.contact->add_all(t.x, t.v, 0, f, NormalDamping::impulse);
     const double before = free_energy();
     const ContactWork work = t.contact->rub(t.v, 1e-3);
     CHECK(work.driven != 0);
@@ -117,12 +118,12 @@ TEST_CASE("impulses between layers book what pins take that move", "[contact]") 
 TEST_CASE("contact of cloth with cloth gives implicit methods the slopes of its force", "[contact]") {
     Pressed t;
     const Points still = Points::Zero(3, t.x.cols());
-    t.contact->couplings_version(t.x);
+    t.contact->couplings_version(t.x, 0);
     Couplings couplings;
     t.contact->add_couplings(couplings);
     BlockMatrix k(t.setup.model, couplings), b(t.setup.model, couplings);
-    t.contact->add_stiffness(t.x, still, k);
-    t.contact->add_damping(t.x, still, b);
+    t.contact->add_stiffness(t.x, still, 0, k);
+    t.contact->add_damping(t.x, still, 0, b);
     const Eigen::MatrixXd by_x =
         minus_jacobian([&](In x) { return t.force(x, still); }, t.x, 1e-7, t.setup.model);
     CHECK((dense(k, t.x.cols()) - by_x).norm() < 1e-4 * by_x.norm());

@@ -15,6 +15,7 @@ const std::vector<Reference>& table() {
     static const std::vector<Reference> all{
         {"bare_springs", {"scene.duration=0.4", "scene.frame_rate=5"}},
         {"cape", {"scene.duration=0.5", "scene.frame_rate=4"}},
+        {"chair", {"scene.duration=0.5", "scene.frame_rate=4", "cloth.0.pattern.divisions=[33, 27]"}},
         {"flag", {"scene.duration=0.5", "scene.frame_rate=4", "cloth.0.pattern.divisions=[48, 32]"}},
         {"hanging_swatch",
          {"scene.duration=0.5", "scene.frame_rate=4", "cloth.0.pattern.divisions=[32, 32]"}},

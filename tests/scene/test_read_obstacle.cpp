@@ -47,6 +47,25 @@ TEST_CASE("an obstacle reads its numbers with units, and its motion", "[scene]")
     CHECK(torus.motion[1].rotate_deg == Vec3(0, 720, 0));
 }
 
+TEST_CASE("a mesh obstacle reads its file, place and thickness, and needs the file", "[scene]") {
+    const ObstacleDescription mesh =
+        scene_of(with_obstacle("shape = \"mesh\"\nmesh = \"chair.obj\"\nthickness = \"2 mm\"\n"
+                               "place = { translate = [0, 1, 0], scale = 2 }\nfriction = 0.5\n"))
+            .obstacles.at(0);
+    CHECK(mesh.mesh == "chair.obj");
+    CHECK(mesh.thickness == Approx(0.002));
+    CHECK(mesh.placement.translate == Vec3(0, 1, 0));
+    CHECK(mesh.placement.scale == 2);
+    CHECK(mesh.friction == 0.5);
+    CHECK(error_of(with_obstacle("shape = \"mesh\"\n")).starts_with("scene.toml:4:1: mesh: mesh is missing"));
+    CHECK(error_of(with_obstacle("shape = \"mesh\"\nmesh = \"\"\n")) ==
+          "scene.toml:6:8: mesh must name a file");
+    CHECK(error_of(with_obstacle("shape = \"mesh\"\nmesh = \"a.obj\"\nthickness = 0\n"))
+              .starts_with("scene.toml:7:13: thickness must be positive"));
+    CHECK(error_of(with_obstacle("shape = \"mesh\"\nradius = 1\n"))
+              .starts_with("scene.toml:6:1: unknown mesh key \"radius\""));
+}
+
 TEST_CASE("wrong obstacles are refused at their place", "[scene]") {
     CHECK(error_of(with_obstacle("radius = 1\n")) == "scene.toml:4:1: obstacle: shape is missing");
     CHECK(error_of(with_obstacle("shape = \"spere\"\n"))
