@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "base/names.h"
+#include "contact/self_contact.h"
 #include "render/colour_map.h"
 #include "render/palette.h"
+#include "render/smooth_surface.h"
 #include "simulate/room.h"
 #include "simulate/strain.h"
 
@@ -112,6 +114,21 @@ Segments springs_of(const Model& model, In x) {
     return segments;
 }
 
+// Smoothing moves what is drawn by far less than half an edge.
+std::vector<Eigen::VectorXd> room_between(const Simulation& simulation, const State& state) {
+    const Model& model = simulation.model();
+    if (std::all_of(model.cloths.begin(), model.cloths.end(),
+                    [](const Cloth& cloth) { return smoothing_levels(cloth.mesh.triangles()) == 0; }))
+        return {};
+    const std::unique_ptr<SelfContact> contact =
+        SelfContact::make(model, simulation.obstacles(), Vec3::Zero(), state, 0);
+    if (!contact) return {};
+    const Eigen::VectorXd all = contact->room(state.x, state.time, contact->mean_edge() / 2);
+    std::vector<Eigen::VectorXd> room;
+    for (const Cloth& cloth : model.cloths) room.emplace_back(all.segment(cloth.first, cloth.vertices()));
+    return room;
+}
+
 }  // namespace
 
 DrawnScene drawn_scene(const SceneDescription& scene, const Simulation& simulation) {
@@ -136,6 +153,7 @@ FrameInput frame_input(const std::string& overlay, const Simulation& simulation,
             frame.tint.push_back(vertex_strain(cloth, state.x) / static_cast<float>(strain_range));
         if (overlay == "error") frame.tint.push_back(error_tint(cloth, vertex_error));
     }
+    frame.room = room_between(simulation, state);
     for (const Obstacle& obstacle : simulation.obstacles())
         frame.solid.push_back(obstacle.motion.at(state.time).pose);
     if (overlay == "springs") frame.segments = springs_of(simulation.model(), state.x);

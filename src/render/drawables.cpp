@@ -61,9 +61,10 @@ ClothDrawable::ClothDrawable(const Gl& gl, const DrawnCloth& cloth)
                                   &indices_);
 }
 
-void ClothDrawable::update(const Gl& gl, In simulated, const Eigen::VectorXf& tint) {
+void ClothDrawable::update(const Gl& gl, In simulated, const Eigen::VectorXd& room,
+                           const Eigen::VectorXf& tint) {
     DRAPE_ASSERT(simulated.cols() == mesh_->vertices());
-    x_ = surface_.positions(simulated);
+    x_ = surface_.positions(simulated, room);
     const Points normals = vertex_normals(x_, surface_.faces());
     const std::vector<int>& vertex = surface_.drawn().vertex;
     std::vector<float> moving;

@@ -16,7 +16,7 @@ public:
     ClothDrawable(const Gl& gl, const DrawnCloth& cloth);
 
     // `simulated`: a column per simulated vertex; `tint`: one each, or none.
-    void update(const Gl& gl, In simulated, const Eigen::VectorXf& tint);
+    void update(const Gl& gl, In simulated, const Eigen::VectorXd& room, const Eigen::VectorXf& tint);
     // `pixel`: what a pixel spans where the camera looks [m].
     void set_look(const Program& program, double pixel) const;
     void draw(const Gl& gl) const;

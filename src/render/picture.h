@@ -66,6 +66,9 @@ struct RenderSettings {
 struct FrameInput {
     std::vector<Points> cloth;
     std::vector<Pose> solid;
+    // per cloth and simulated vertex: how far its triangles are from others that they may not cross [m];
+    // none: cloths may be drawn through each other
+    std::vector<Eigen::VectorXd> room;
     // per cloth and simulated vertex, -1 to 1 on the scale; only read by Overlay::tint
     std::vector<Eigen::VectorXf> tint;
     Segments segments;  // only read by Overlay::springs

@@ -105,7 +105,8 @@ void Renderer::Parts::update(const FrameInput& frame) {
     DRAPE_ASSERT(frame.cloth.size() == cloths.size() && frame.solid.size() == solids.size());
     const bool tinted = settings.overlay == Overlay::tint;
     for (size_t c = 0; c < cloths.size(); ++c)
-        cloths[c].update(gl, frame.cloth[c], tinted ? frame.tint.at(c) : Eigen::VectorXf());
+        cloths[c].update(gl, frame.cloth[c], frame.room.empty() ? Eigen::VectorXd() : frame.room.at(c),
+                         tinted ? frame.tint.at(c) : Eigen::VectorXf());
     place_scene(frame);
 }
 

@@ -116,14 +116,18 @@ void SmoothSurface::refine() {
     middles_.push_back(std::move(middles));
 }
 
-Points SmoothSurface::positions(In simulated) const {
+Points SmoothSurface::positions(In simulated, const Eigen::VectorXd& room) const {
+    constexpr double room_share = 0.2;
     DRAPE_ASSERT(middles_.empty() ||
                  simulated.cols() + static_cast<Eigen::Index>(middles_[0].size()) <= rest_.cols());
+    DRAPE_ASSERT(room.size() == 0 || room.size() == simulated.cols());
     Points x = simulated;
+    Eigen::VectorXd left = room;
     for (size_t level = 0; level < middles_.size(); ++level) {
         const Points normals = vertex_normals(x, faces_[level]);
         const Eigen::Index old_vertices = x.cols();
         x.conservativeResize(3, old_vertices + static_cast<Eigen::Index>(middles_[level].size()));
+        if (left.size() > 0) left.conservativeResize(x.cols());
         Eigen::Index next = old_vertices;
         for (const Middle& middle : middles_[level]) {
             const auto a = x.col(middle.a), b = x.col(middle.b);
@@ -135,7 +139,13 @@ Points SmoothSurface::positions(In simulated) const {
             }
             if (middle.before >= 0) leaves = 0.5 * (b - x.col(middle.before));
             if (middle.after >= 0) arrives = 0.5 * (x.col(middle.after) - a);
-            x.col(next++) = 0.5 * (a + b) + (leaves - arrives) / 8;
+            Vec3 swell = (leaves - arrives) / 8;
+            if (left.size() > 0) {
+                left[next] = std::min(left[middle.a], left[middle.b]);
+                const double most = room_share * left[next], length = swell.norm();
+                if (length > most) swell *= most / length;
+            }
+            x.col(next++) = 0.5 * (a + b) + swell;
         }
     }
     return x;

@@ -8,6 +8,9 @@
 // valences make no ripples.
 // A border edge follows the curve of the border instead: tangents (b - before)/2 and (after - a)/2 in the
 // same cubic, straight into corners.
+//
+// Layers that lie on each other would swell through each other: a middle leaves its chord by no more than a
+// fifth of what room its ends have at each level, so that the two of them keep a fifth of it.
 #pragma once
 
 #include <array>
@@ -23,8 +26,9 @@ public:
     // `drawn` sits on the vertices of `mesh`; its uv are carried along linearly.
     SmoothSurface(const Mesh& mesh, const DrawnMesh& drawn, int levels);
 
-    // Positions of all vertices, the simulated ones first.
-    Points positions(In simulated) const;
+    // Positions of all vertices, the simulated ones first. `room`: how far each simulated vertex's triangles
+    // are from others that they may not cross [m]; empty: far.
+    Points positions(In simulated, const Eigen::VectorXd& room = {}) const;
     const Faces& faces() const { return faces_.back(); }
     const Points& rest() const { return rest_; }       // flat: middles of rest edges
     const DrawnMesh& drawn() const { return drawn_; }  // its `vertex` and `faces` at the finest level

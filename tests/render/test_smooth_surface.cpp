@@ -76,3 +76,24 @@ TEST_CASE("a round border stays round, a square one keeps its corners", "[render
         if (!round) CHECK(x.col(v).cwiseAbs().maxCoeff() == Approx(0.5));
     }
 }
+
+TEST_CASE("layers that lie on each other are not smoothed through each other", "[render]") {
+    // a sheet with sharp waves, and the same turned over and a little above where the waves are
+    const Mesh mesh = make_pattern("one_way", {1, 1, 16, 16});
+    const SmoothSurface surface(mesh, mesh.drawn, 2);
+    constexpr double gap = 0.001;
+    Points below = mesh.rest, above = mesh.rest;
+    for (Eigen::Index v = 0; v < below.cols(); ++v) {
+        below(1, v) = 0.05 * std::sin(18 * mesh.rest(0, v));
+        above(1, v) = gap + std::max(below(1, v), 0.0);  // it lies on the crests
+    }
+    const auto lowest_gap = [&](const Eigen::VectorXd& room) {
+        const Points under = surface.positions(below, room), over = surface.positions(above, room);
+        return (over.row(1) - under.row(1)).minCoeff();
+    };
+    CHECK(lowest_gap({}) < 0);
+    Eigen::VectorXd room = Eigen::VectorXd::Constant(mesh.vertices(), gap);
+    CHECK(lowest_gap(room) > 0);
+    CHECK(surface.positions(below, Eigen::VectorXd::Constant(mesh.vertices(), INFINITY)) ==
+          surface.positions(below));
+}
