@@ -1,60 +1,24 @@
 #include "app/picture_maker.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/names.h"
+#include "app/overlays.h"
 #include "contact/self_contact.h"
-#include "render/colour_map.h"
 #include "render/palette.h"
 #include "render/smooth_surface.h"
 #include "simulate/room.h"
-#include "simulate/strain.h"
 
 namespace drape {
 
 namespace {
 
-constexpr double strain_range = 0.05;  // at the ends of the colour bar
-// of the error's scale, which is logarithmic [m]
-constexpr double least_error = 1e-6, most_error = 1e-1;
-
-ColourScale no_scale() {
-    return {"", {}, diverging_colour};
-}
-ColourScale strain_scale() {
-    return {"strain", {"-5 %", "0", "+5 %"}, diverging_colour};
-}
-ColourScale error_scale() {
-    return {"error mm", {"0.001", "0.3", "100"}, rising_colour};
-}
-
-// What [render] overlay may name.
-struct OverlayKind {
-    std::string_view name;
-    Overlay overlay;
-    ColourScale (*scale)();
-};
-constexpr std::array overlays{
-    OverlayKind{"none", Overlay::none, no_scale}, OverlayKind{"wire", Overlay::wire, no_scale},
-    OverlayKind{"strain", Overlay::tint, strain_scale}, OverlayKind{"springs", Overlay::springs, no_scale},
-    OverlayKind{"error", Overlay::tint, error_scale}};
-
-// Errors of a cloth's vertices on the scale; those not known are shown as none.
-Eigen::VectorXf error_tint(const Cloth& cloth, const Eigen::VectorXf& error) {
-    if (error.size() == 0) return Eigen::VectorXf::Constant(cloth.vertices(), -1);
-    const auto decades = static_cast<float>(std::log10(most_error / least_error));
-    const auto own = error.segment(cloth.first, cloth.vertices()).array() / static_cast<float>(least_error);
-    return (own.max(1e-6f).log10() / decades * 2 - 1).matrix();
-}
-
 RenderSettings settings_of(const SceneDescription& scene, const Simulation& simulation) {
     RenderSettings settings;
     settings.width = scene.look.size[0];
     settings.height = scene.look.size[1];
-    const OverlayKind& kind = find_named(overlays, "overlay", scene.look.overlay);
-    settings.overlay = kind.overlay;
-    settings.scale = kind.scale();
+    const OverlayKind& overlay = overlay_named(scene.look.overlay);
+    settings.overlay = overlay.drawn;
+    settings.scale = overlay.scale;
     settings.bounds = room_of(simulation);
     if (scene.look.camera)
         settings.camera = {scene.look.camera->from, scene.look.camera->at, scene.look.camera->fov_deg};
@@ -93,27 +57,6 @@ std::vector<DrawnSolid> solids_of(const SceneDescription& scene, const Simulatio
     return solids;
 }
 
-Segments springs_of(const Model& model, In x) {
-    Segments segments;
-    size_t count = 0;
-    for (const Cloth& cloth : model.cloths) count += cloth.network.edges.size() + cloth.network.bends.size();
-    segments.ends.resize(3, static_cast<Eigen::Index>(2 * count));
-    for (const Cloth& cloth : model.cloths) {
-        for (const auto* springs : {&cloth.network.edges, &cloth.network.bends}) {
-            for (const Spring& spring : *springs) {
-                const Vec3 a = x.col(cloth.first + spring.a);
-                const Vec3 b = x.col(cloth.first + spring.b);
-                const auto s = static_cast<Eigen::Index>(segments.colour.size());
-                segments.ends.col(2 * s) = a;
-                segments.ends.col(2 * s + 1) = b;
-                const double strain = spring.rest_length > 0 ? (b - a).norm() / spring.rest_length - 1 : 0;
-                segments.colour.push_back(diverging_colour(static_cast<float>(strain / strain_range)));
-            }
-        }
-    }
-    return segments;
-}
-
 // Smoothing moves what is drawn by far less than half an edge.
 std::vector<Eigen::VectorXd> room_between(const Simulation& simulation, const State& state) {
     const Model& model = simulation.model();
@@ -147,16 +90,12 @@ Renderer make_renderer(const DrawnScene& scene) {
 FrameInput frame_input(const std::string& overlay, const Simulation& simulation, const State& state,
                        const Eigen::VectorXf& vertex_error) {
     FrameInput frame;
-    for (const Cloth& cloth : simulation.model().cloths) {
+    for (const Cloth& cloth : simulation.model().cloths)
         frame.cloth.emplace_back(state.x.middleCols(cloth.first, cloth.vertices()));
-        if (overlay == "strain")
-            frame.tint.push_back(vertex_strain(cloth, state.x) / static_cast<float>(strain_range));
-        if (overlay == "error") frame.tint.push_back(error_tint(cloth, vertex_error));
-    }
     frame.room = room_between(simulation, state);
     for (const Obstacle& obstacle : simulation.obstacles())
         frame.solid.push_back(obstacle.motion.at(state.time).pose);
-    if (overlay == "springs") frame.segments = springs_of(simulation.model(), state.x);
+    overlay_named(overlay).fill(frame, simulation, state, vertex_error);
     return frame;
 }
 

@@ -90,6 +90,8 @@ public:
     // `held` at a pin, which nothing may be able to keep outside, need not count.
     double least_distance(In x, double time, bool held = true) const;
 
+    void lower_gap_shares(In x, double time, Eigen::VectorXd& shares) const;  // as Contact::gap_shares
+
     // Moves vertices that start nearer than they would rest, or in the obstacle by no more than `most`, out
     // to where the barrier carries the cloth's weight, so that it does not throw them. Returns the largest
     // move [m]; throws Error where the cloth starts deeper inside.

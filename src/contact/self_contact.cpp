@@ -338,11 +338,12 @@ void SelfContact::demand_apart(In cloth) {
     for (const SelfPair& pair : near_) {
         const double gap = nearest_of(pair, points_of(pair, x.data())).distance;
         const double least = least_start * layers(pair).barrier.thickness;
-        if (gap < least)
-            throw Error(cat(touches_mesh(pair) ? "cloth starts " : "cloth that meets itself starts ", gap,
-                            touches_mesh(pair) ? " m from a mesh" : " m from itself", " at vertices ",
-                            pair.vertex[0], " and ", pair.vertex[3], " (at least ", least,
-                            " m, a hundredth of the thickness)"));
+        if (gap >= least) continue;
+        const Obstacle* mesh = surfaces_.mesh(pair.layers % surfaces_.count());  // numbered after the cloths
+        throw Error(cat(mesh && !mesh->place.empty() ? mesh->place + ": " : "",
+                        mesh ? "cloth starts " : "cloth that meets itself starts ", gap,
+                        mesh ? " m from the mesh" : " m from itself", " at vertices ", pair.vertex[0], " and ",
+                        pair.vertex[3], " (at least ", least, " m, a hundredth of the thickness)"));
     }
 }
 

@@ -70,6 +70,7 @@ public:
     // Per column of the State: the least distance of its triangles from others, of those that are nearer than
     // `reach` and that contact keeps apart; else infinite [m].
     Eigen::VectorXd room(In x, double time, double reach);
+    void lower_gap_shares(In x, double time, Eigen::VectorXd& shares);  // as Contact::gap_shares
     double mean_edge() const { return search_.mean_edge(); }  // [m]
 
     const Surfaces& surfaces() const { return surfaces_; }

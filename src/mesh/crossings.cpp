@@ -109,7 +109,9 @@ class Counter {
 public:
     using Counts = std::function<bool(int, int)>;
     Counter(const Faces& faces, In x, const Counts& counts)
-        : faces_(faces), x_(x), counts_(counts), crosses_(static_cast<size_t>(faces.cols())) {}
+        : faces_(faces), x_(x), counts_(counts) {
+        found_.crosses.resize(static_cast<size_t>(faces.cols()));
+    }
 
     void look_at(int one, int two) {
         if (!counts_(one, two)) return;
@@ -131,10 +133,10 @@ public:
         if (!cross) return;
         const std::array<int, 2> pair{std::min(one, two), std::max(one, two)};
         if (found_.pairs++ == 0 || pair < found_.first) found_.first = pair;
-        crosses_[static_cast<size_t>(one)] = crosses_[static_cast<size_t>(two)] = true;
+        found_.crosses[static_cast<size_t>(one)] = found_.crosses[static_cast<size_t>(two)] = true;
     }
     Crossings found() {
-        found_.triangles = static_cast<int>(std::count(crosses_.begin(), crosses_.end(), true));
+        found_.triangles = static_cast<int>(std::count(found_.crosses.begin(), found_.crosses.end(), true));
         return found_;
     }
 
@@ -146,7 +148,6 @@ private:
     const Faces& faces_;
     Eigen::Ref<const Points> x_;
     const Counts& counts_;
-    std::vector<bool> crosses_;
     Crossings found_;
 };
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 #include "base/points.h"
 
@@ -17,6 +18,7 @@ struct Crossings {
     int pairs = 0;                     // of triangles
     int triangles = 0;                 // that cross any other
     std::array<int, 2> first{-1, -1};  // the pair of the lowest numbers
+    std::vector<bool> crosses;         // per triangle, whether any other
 };
 
 // Columns of `x` that are not finite make their triangles cross nothing.

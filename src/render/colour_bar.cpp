@@ -1,5 +1,6 @@
 #include "render/colour_bar.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -30,6 +31,7 @@ void draw_colour_bar(Image& image, const ColourScale& scale) {
         }
 
     const Pen pen{size, {0.10f, 0.12f, 0.16f}, 0.92f};
+    const float right_end = static_cast<float>(image.width) - 0.5f * size;  // of the last label
     const float below = static_cast<float>(top + thick) + 1.7f * size;
     for (const double part : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
         const int at = left + static_cast<int>(std::lround((part + 1) / 2 * (length - 1)));
@@ -37,7 +39,8 @@ void draw_colour_bar(Image& image, const ColourScale& scale) {
             paint(image, at, y, {0.16f, 0.18f, 0.22f});
         if (part == 0.5 || part == -0.5) continue;
         const std::string& text = scale.label[static_cast<size_t>(std::lround(part + 1))];
-        draw_text(image, text, static_cast<float>(at) - text_width(text, size) / 2, below, pen);
+        const float wide = text_width(text, size);
+        draw_text(image, text, std::min(static_cast<float>(at) - wide / 2, right_end - wide), below, pen);
     }
     draw_text(image, scale.title, static_cast<float>(left), static_cast<float>(top) - 0.7f * size, pen);
 }

@@ -90,7 +90,7 @@ struct CameraDescription {
 struct LookDescription {  // the [render] table
     std::array<int, 2> size{1280, 720};
     std::optional<CameraDescription> camera;  // none: framed automatically
-    std::string overlay = "none";             // none, wire, strain, springs, error
+    std::string overlay = "none";             // none, wire, strain, springs, error, contacts
     bool ground = true;                       // draw a ground even where no plane obstacle gives one
 };
 

@@ -41,13 +41,9 @@ LookDescription read_look(const Value& value) {
         look.size = {as_integer(sides[0], "size", 16, 8192), as_integer(sides[1], "size", 16, 8192)};
     }
     if (const Value* camera = keys.find("camera")) look.camera = read_camera(*camera);
-    if (const Value* overlay = keys.find("overlay")) {
-        const std::string& word = as_text(*overlay, "overlay");
-        if (word == "contacts")
-            fail(overlay->place, "overlay ", in_quotes(word),
-                 ": this version of drape cannot draw it yet (none, wire, strain, springs, error)");
-        look.overlay = as_word(*overlay, "overlay", {"none", "wire", "strain", "springs", "error"});
-    }
+    if (const Value* overlay = keys.find("overlay"))
+        look.overlay =
+            as_word(*overlay, "overlay", {"none", "wire", "strain", "springs", "error", "contacts"});
     keys.read("ground", look.ground);
     return look;
 }

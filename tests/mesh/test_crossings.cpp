@@ -15,6 +15,7 @@ int crossings_with(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Faces faces = faces_of({{0, 1, 2}, {3, 4, 5}});
     const Crossings found = count_crossings(faces, x);
     CHECK(found.triangles == 2 * found.pairs);
+    CHECK(found.crosses == std::vector<bool>(2, found.pairs == 1));
     return found.pairs;
 }
 

@@ -45,6 +45,12 @@ rounding = 0.01
 shape = "cylinder"
 [[obstacle]]
 shape = "torus"
+[[obstacle]]
+shape = "mesh"
+mesh = "chair \"3\".obj"
+place = { translate = [0, 1, 0.1], rotate_deg = [5, 0, 0], scale = 0.3 }
+thickness = "2.5 mm"
+motion = [{ t = 1, translate = [0, 1, 0] }]
 [air]
 drag = 0.5
 wind = [1, 2, 3]
@@ -64,6 +70,10 @@ fastest = 12.5
         CAPTURE(text);
         CHECK(scene_text(scene_of(text)) == text);
     }
+    const ObstacleDescription mesh = scene_of(scene_text(scene_of(rich))).obstacles.back();
+    CHECK(mesh.mesh == "chair \"3\".obj");
+    CHECK(mesh.placement.scale == 0.3);
+    CHECK(mesh.thickness == 0.0025);
 }
 
 TEST_CASE("the effective scene shows defaults and overrides alike", "[scene]") {
