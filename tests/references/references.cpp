@@ -34,6 +34,9 @@ const std::vector<Reference>& table() {
          {"scene.duration=0.2", "scene.frame_rate=10",
           "cloth.0.fabric={ preset = \"cotton\", stretch = { model = \"membrane\", value = 10 } }"}},
         {"two_panels", {"scene.duration=1", "scene.frame_rate=2"}},
+        {"two_sheets",
+         {"scene.duration=0.5", "scene.frame_rate=4", "cloth.0.pattern.divisions=[24, 24]",
+          "cloth.1.pattern.divisions=[18, 18]"}},
     };
     return all;
 }
