@@ -24,8 +24,6 @@ namespace drape {
 
 namespace {
 
-constexpr std::uint64_t largest_plot = std::uint64_t{64} << 20;  // [bytes]
-
 std::string command_of(const LabRequest& request) {
     std::string command = "drape lab";
     for (const std::string& name : request.experiments) command += cat(" ", shell_word(name));

@@ -26,8 +26,6 @@ namespace drape {
 
 namespace {
 
-constexpr std::uint64_t largest_plot = std::uint64_t{64} << 20;  // [bytes]
-
 // What is tried, and on how many of the cloths every method is.
 struct Subject {
     std::vector<StabilityCloth> cloths;

@@ -32,8 +32,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t largest_plot = std::uint64_t{64} << 20;  // [bytes]
-
 // The command that makes this study again.
 std::string command_of(const StudyRequest& request) {
     std::string command = "drape study " + shell_word(request.scene);

@@ -147,13 +147,13 @@ void AltitudeBlend::add_couplings(Couplings& couplings) const {
 
 namespace {
 
-using Gradient = Eigen::Matrix<double, 9, 1>;
-using Hessian = Eigen::Matrix<double, 9, 9>;
+using Vec9 = Eigen::Matrix<double, 9, 1>;
+using Mat9 = Eigen::Matrix<double, 9, 9>;
 
 struct Shape {
     double s = 0;
-    Gradient gradient = Gradient::Zero();
-    Hessian hessian = Hessian::Zero();
+    Vec9 gradient = Vec9::Zero();
+    Mat9 hessian = Mat9::Zero();
 };
 
 // s and its derivatives by the formulas above add_bound. With n the unit normal, grad_k D = n x e_k, and as
@@ -177,8 +177,8 @@ std::optional<Shape> shape_of(const Vec3 (&edge)[3], const double (&inverse_squa
     Shape shape;
     shape.s = doubled_area * scale;
 
-    Gradient d, r = Gradient::Zero();
-    Hessian area = Hessian::Zero(), edges = Hessian::Zero();  // hess D; the sum in hess ln m
+    Vec9 d, r = Vec9::Zero();
+    Mat9 area = Mat9::Zero(), edges = Mat9::Zero();  // hess D; the sum in hess ln m
     for (int k = 0; k < 3; ++k) {
         const int next = (k + 1) % 3, last = (k + 2) % 3;
         d.segment<3>(3 * k) = scale * n.cross(edge[k]);
@@ -188,7 +188,7 @@ std::optional<Shape> shape_of(const Vec3 (&edge)[3], const double (&inverse_squa
         area.block<3, 3>(3 * k, 3 * last) += quarter_turn;
         // q_k and its derivatives live on the edge's two ends
         const double p = std::pow(q[k], 4) / sum;
-        Gradient along = Gradient::Zero();  // grad q / (2 q)
+        Vec9 along = Vec9::Zero();  // grad q / (2 q)
         along.segment<3>(3 * last) = edge[k] / edge[k].squaredNorm();
         along.segment<3>(3 * next) = -edge[k] / edge[k].squaredNorm();
         r += p * along;

@@ -126,11 +126,11 @@ void BendHinge::add_couplings(Couplings& couplings) const {
 
 namespace {
 
-using Gradient = Eigen::Matrix<double, 12, 1>;
-using Hessian = Eigen::Matrix<double, 12, 12>;
+using Vec12 = Eigen::Matrix<double, 12, 1>;
+using Mat12 = Eigen::Matrix<double, 12, 12>;
 
-Gradient stacked(const std::array<Vec3, 4>& gradient) {
-    Gradient g;
+Vec12 stacked(const std::array<Vec3, 4>& gradient) {
+    Vec12 g;
     g << gradient[0], gradient[1], gradient[2], gradient[3];
     return g;
 }
@@ -148,10 +148,10 @@ Mat3 cross_matrix(const Vec3& a) {
 //   DN = +-([b - e]x, -[b]x, [e]x),   Dw = (1, -1, 0) (x) Da,
 //   Da = ((2 a - 1) e - b, b - 2 a e, e) / |e|^2
 // One triangle's share is not symmetric; the sum of both is.
-Hessian dihedral_hessian(In x, const int (&v)[4]) {
+Mat12 dihedral_hessian(In x, const int (&v)[4]) {
     const Vec3 x0 = x.col(v[0]), e = Vec3(x.col(v[1])) - x0;
     const double squared = e.squaredNorm(), length = std::sqrt(squared);
-    Hessian hessian = Hessian::Zero();
+    Mat12 hessian = Mat12::Zero();
     for (const int far : {2, 3}) {
         const double side = far == 2 ? 1 : -1;
         const Vec3 b = Vec3(x.col(v[far])) - x0, normal = side * e.cross(b);
@@ -179,7 +179,7 @@ void BendHinge::add_stiffness(In x, BlockMatrix& k) const {
     for (const Hinge& hinge : hinges_) {
         const auto d = dihedral_of(x, hinge.vertex);
         if (!d) continue;
-        const Gradient g = stacked(d->gradient);
+        const Vec12 g = stacked(d->gradient);
         k.add_element(hinge.vertex,
                       hinge.stiffness * (g * g.transpose() + turn(d->angle, hinge.rest_angle) *
                                                                  dihedral_hessian(x, hinge.vertex)));
@@ -191,7 +191,7 @@ void BendHinge::add_damping(In x, In, double, BlockMatrix& b) const {
     for (const Hinge& hinge : hinges_) {
         const auto d = dihedral_of(x, hinge.vertex);
         if (!d) continue;
-        const Gradient g = stacked(d->gradient);
+        const Vec12 g = stacked(d->gradient);
         b.add_element(hinge.vertex, tau_ * hinge.stiffness * g * g.transpose());
     }
 }

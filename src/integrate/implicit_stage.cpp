@@ -22,11 +22,11 @@ double largest_move(In move) {
     return std::sqrt(move.colwise().squaredNorm().maxCoeff());
 }
 
-double StageSolver::typical_move(const Stage& stage) const {
+double StageSolver::typical_move(const ImplicitStage& stage) const {
     return stage.c * std::sqrt(now_.v.colwise().squaredNorm().mean());
 }
 
-bool StageSolver::evaluate(const Stage& stage, Trial& trial) {
+bool StageSolver::evaluate(const ImplicitStage& stage, Trial& trial) {
     const Model& model = dynamics_.model();
     trial.v = (trial.x - stage.xp) / stage.c;
     for (Eigen::Index i = 0; i < trial.v.cols(); ++i)
@@ -60,7 +60,7 @@ double StageSolver::rise(const Trial& from, const Trial& to) const {
 }
 
 // Starts where the vertices are, or where they would fly without forces if that is better.
-bool StageSolver::start(const Stage& stage, const State& state) {
+bool StageSolver::start(const ImplicitStage& stage, const State& state) {
     State placed{state.x, state.v, stage.time};
     place_pins(dynamics_.model(), placed);
     pin_velocity_ = placed.v;
@@ -88,19 +88,19 @@ bool StageSolver::is_better(const Points& direction, double length) const {
     return change <= noise && -next_.residual.cwiseProduct(direction).sum() <= -(1 - 2 * enough) * slope;
 }
 
-double StageSolver::clear_part(const Stage& stage, const Points& direction) {
+double StageSolver::clear_part(const ImplicitStage& stage, const Points& direction) {
     Contact* contact = dynamics_.contact();
     if (!contact) return 1;
     contact->cover(now_.x, stage.time, largest_move(direction));
     return contact->clear_part(now_.x, direction, stage.time);
 }
 
-void StageSolver::take(const Stage& stage, const Points& direction) {
+void StageSolver::take(const ImplicitStage& stage, const Points& direction) {
     next_.x = now_.x + clear_part(stage, direction) * direction;
     if (evaluate(stage, next_)) std::swap(now_, next_);
 }
 
-bool StageSolver::search(const Stage& stage, const Points& direction, double& length) {
+bool StageSolver::search(const ImplicitStage& stage, const Points& direction, double& length) {
     const double move = largest_move(direction);
     length = clear_part(stage, direction);
     for (int halving = 0; halving < most_halvings; ++halving, length /= 2) {
@@ -117,24 +117,24 @@ bool StageSolver::search(const Stage& stage, const Points& direction, double& le
     return false;
 }
 
-double StageSolver::fine_move(const Stage& stage) const {
+double StageSolver::fine_move(const ImplicitStage& stage) const {
     return fine_length + fine_part * typical_move(stage);
 }
 
-double StageSolver::coarse_move(const Stage& stage) const {
+double StageSolver::coarse_move(const ImplicitStage& stage) const {
     return coarse_length + coarse_part * typical_move(stage);
 }
 
 // Elastic forces only hold vertices back: none goes farther than it would freely. Short steps move a vertex
 // by less than any length that matters, and yet what each leaves out adds up: for them the acceleration
 // counts, as far as rounding of the positions lets it be known.
-bool StageSolver::is_settled(const Stage& stage) const {
+bool StageSolver::is_settled(const ImplicitStage& stage) const {
     const double left = largest_move(now_.residual * dynamics_.model().inverse_mass.asDiagonal());
     const double square = stage.c * stage.c, rounding = 4 * epsilon * now_.x.cwiseAbs().maxCoeff();
     return left * square < fine_move(stage) && left < std::max(fine_acceleration, rounding / square);
 }
 
-bool StageSolver::settle(const Stage& stage) {
+bool StageSolver::settle(const ImplicitStage& stage) {
     for (int i = 0; i < most_rounds(); ++i) {
         const Outcome outcome = improve(stage, i);
         if (outcome != Outcome::moved) return outcome == Outcome::converged;
@@ -156,7 +156,7 @@ void StageSolver::first_acceleration(const State& state, double h, Points& a) {
         dynamics_.acceleration_with_friction(state.x, state.v, state.time, a);
 }
 
-bool StageSolver::solve(const Stage& stage, State& state) {
+bool StageSolver::solve(const ImplicitStage& stage, State& state) {
     begin(stage);
     if (!start(stage, state)) return false;
     for (int round = 0; round < most_friction_rounds; ++round) {

@@ -15,7 +15,7 @@
 
 namespace drape {
 
-struct Stage {
+struct ImplicitStage {
     Points xp, vp;    // [m], [m/s]
     double c = 0;     // [s]
     double time = 0;  // t, at the stage's end [s]
@@ -31,7 +31,7 @@ public:
 
     // From a state before the stage to the solution. False if it found none; the state is then as it was.
     // Leaves the dynamics' power, contact limits and held friction those of the solution.
-    bool solve(const Stage& stage, State& state);
+    bool solve(const ImplicitStage& stage, State& state);
 
     // (v - vp) / c of the last solution: unlike a(x, v, t) it does not magnify what error the solution has
     const Points& acceleration() const { return acceleration_; }
@@ -45,18 +45,18 @@ protected:
         Points residual;       // minus its gradient, with all forces; 0 at pins [N]
         Points driving;        // forces without a potential [N]
     };
-    bool evaluate(const Stage& stage, Trial& trial);        // fills all but x; false where x is not possible
+    bool evaluate(const ImplicitStage& stage, Trial& trial);        // fills all but x; false where x is not possible
     double rise(const Trial& from, const Trial& to) const;  // of Phi, less the work of driving forces [J]
     // Moves now_ by as much of the direction as lowers Phi enough, and sets `length` to how much that was;
     // next_ is then where it was. False if no part of it does.
-    bool search(const Stage& stage, const Points& direction, double& length);
+    bool search(const ImplicitStage& stage, const Points& direction, double& length);
     // The same without a look at Phi; where that is not possible, nothing is moved.
-    void take(const Stage& stage, const Points& direction);
+    void take(const ImplicitStage& stage, const Points& direction);
     // Nothing that is left to do moves a vertex, or accelerates it, by as much as matters.
-    bool is_settled(const Stage& stage) const;
+    bool is_settled(const ImplicitStage& stage) const;
     // Far below any method's own error; where rounding ends the progress earlier, the second will do [m].
-    double fine_move(const Stage& stage) const;
-    double coarse_move(const Stage& stage) const;
+    double fine_move(const ImplicitStage& stage) const;
+    double coarse_move(const ImplicitStage& stage) const;
 
     Dynamics& dynamics_;
     Trial now_, next_;
@@ -66,18 +66,18 @@ protected:
 private:
     // What a way to solve is: before a stage; one round, the first being number 0, which takes now_ to
     // something better; how many rounds it may take.
-    virtual void begin(const Stage& stage) = 0;
-    virtual Outcome improve(const Stage& stage, int round) = 0;
+    virtual void begin(const ImplicitStage& stage) = 0;
+    virtual Outcome improve(const ImplicitStage& stage, int round) = 0;
     virtual int most_rounds() const = 0;
     // Moves next_, where a whole step led that was not good enough, to something that may be; false if there
     // is nothing. `tried`: how often it did for this step.
-    virtual bool leap(const Stage& stage, double most, int tried) = 0;
+    virtual bool leap(const ImplicitStage& stage, double most, int tried) = 0;
 
-    bool start(const Stage& stage, const State& state);
+    bool start(const ImplicitStage& stage, const State& state);
     bool is_better(const Points& direction, double length) const;
-    double clear_part(const Stage& stage, const Points& direction);  // of it, of obstacles
-    bool settle(const Stage& stage);                // rounds under the normal forces that friction holds
-    double typical_move(const Stage& stage) const;  // of a vertex, RMS [m]
+    double clear_part(const ImplicitStage& stage, const Points& direction);  // of it, of obstacles
+    bool settle(const ImplicitStage& stage);                // rounds under the normal forces that friction holds
+    double typical_move(const ImplicitStage& stage) const;  // of a vertex, RMS [m]
 
     Points pin_velocity_, acceleration_, scratch_;
 };

@@ -10,13 +10,13 @@ constexpr int most_leaps = 12, most_failed_leaps = 8;
 
 }  // namespace
 
-void NewtonSolver::begin(const Stage&) {
+void NewtonSolver::begin(const ImplicitStage&) {
     cut_ = false;
     patience_ = most_failed_leaps;
 }
 
 // Solves with the matrix at the trial; not finite where there is none.
-Points NewtonSolver::direction(const Stage& stage, const Trial& at) {
+Points NewtonSolver::direction(const ImplicitStage& stage, const Trial& at) {
     ++iterations_;
     const auto factorise = [&](StepMatrix::Curvature curvature) {
         return matrix_.factorise(dynamics_, at.x, at.v, stage.time, stage.c, curvature);
@@ -28,7 +28,7 @@ Points NewtonSolver::direction(const Stage& stage, const Trial& at) {
 
 // A Newton step from there, no farther than `most`. A stiff spring keeps its length along a curve: a straight
 // step leaves the valley of low energy, and this leads back to its floor farther on.
-bool NewtonSolver::leap(const Stage& stage, double most, int tried) {
+bool NewtonSolver::leap(const ImplicitStage& stage, double most, int tried) {
     if (patience_ == 0) return false;
     if (tried == most_leaps) {
         --patience_;
@@ -48,7 +48,7 @@ bool NewtonSolver::leap(const Stage& stage, double most, int tried) {
     return possible;
 }
 
-StageSolver::Outcome NewtonSolver::improve(const Stage& stage, int round) {
+StageSolver::Outcome NewtonSolver::improve(const ImplicitStage& stage, int round) {
     if (round == 0) last_move_ = INFINITY;
     const double fine = fine_move(stage), coarse = coarse_move(stage);
     if (is_settled(stage)) return Outcome::converged;

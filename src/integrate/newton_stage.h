@@ -14,11 +14,11 @@ public:
     SolverWork work() const override { return {matrix_.factorisations(), iterations_}; }
 
 private:
-    void begin(const Stage& stage) override;
-    Outcome improve(const Stage& stage, int round) override;
+    void begin(const ImplicitStage& stage) override;
+    Outcome improve(const ImplicitStage& stage, int round) override;
     int most_rounds() const override { return 200; }
-    bool leap(const Stage& stage, double most, int tried) override;
-    Points direction(const Stage& stage, const Trial& at);
+    bool leap(const ImplicitStage& stage, double most, int tried) override;
+    Points direction(const ImplicitStage& stage, const Trial& at);
 
     StepMatrix matrix_;
     double last_move_ = 0;  // of the last Newton step [m]

@@ -68,11 +68,11 @@ public:
     SolverWork work() const override { return {matrix_.factorisations(), rounds_}; }
 
 private:
-    void begin(const Stage&) override {}
-    Outcome improve(const Stage& stage, int round) override;
+    void begin(const ImplicitStage&) override {}
+    Outcome improve(const ImplicitStage& stage, int round) override;
     int most_rounds() const override { return 1000; }
-    bool leap(const Stage&, double, int) override { return false; }
-    bool is_done(const Stage& stage) const;
+    bool leap(const ImplicitStage&, double, int) override { return false; }
+    bool is_done(const ImplicitStage& stage) const;
 
     MajorantMatrix matrix_;
     Memory memory_;
@@ -86,7 +86,7 @@ private:
 // of it than three thousandths of the forces' own share in the step, of which backward Euler errs by a half.
 // A step that a thousand rounds do not bring there has failed: to keep it would let springs of 1e9 N/m gain
 // energy.
-bool ProjectiveSolver::is_done(const Stage& stage) const {
+bool ProjectiveSolver::is_done(const ImplicitStage& stage) const {
     constexpr double part = 0.003, least = 1e-8;  // of the forces' share; an error that never matters [m]
     const double scale = dynamics_.kinetic_energy(now_.v - stage.vp);
     const double floor = dynamics_.model().mass.sum() / 2 * std::pow(least / stage.c, 2);
@@ -94,7 +94,7 @@ bool ProjectiveSolver::is_done(const Stage& stage) const {
     return rounds >= last && drops_[rounds] - drops_[rounds - last] <= part * part * scale + floor;
 }
 
-StageSolver::Outcome ProjectiveSolver::improve(const Stage& stage, int round) {
+StageSolver::Outcome ProjectiveSolver::improve(const ImplicitStage& stage, int round) {
     if (is_settled(stage)) return Outcome::converged;
     ++rounds_;
     contact_.setZero(now_.x.cols());

@@ -22,7 +22,7 @@ namespace drape {
 namespace {
 
 constexpr double stretch = 100;  // [N/m], or [N] per strain
-constexpr int divisions = 52;    // of the sheets whose curves are drawn: 60 rows of equilateral triangles fit
+constexpr int drawn_divisions = 52;  // of the sheets whose curves are drawn: 60 rows of equilateral triangles fit
 constexpr std::array fineness{8, 12, 16, 24, 32, 48, 64};
 constexpr std::uint64_t seeds = 3;  // of irregular sheets, for each fineness
 constexpr double good = 1.1;        // most over least that counts as alike in every direction
@@ -246,7 +246,7 @@ LabResult run_anisotropy() {
     std::vector<PatternStiffness> all;
     for (const Law& law : kinds)
         for (const std::string& pattern : even_patterns())
-            all.push_back(pattern_stiffness(pattern, law, divisions, 1));
+            all.push_back(pattern_stiffness(pattern, law, drawn_divisions, 1));
     const std::vector<FinenessRow> rows = measure_fineness(kinds);
     LabResult result;
     result.claim = claim_of(all, rows, kinds);

@@ -17,7 +17,6 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 
 constexpr double tilt_deg = 41.5;  // of ASTM D1388's sloping plane
-constexpr double earth = 9.80665;  // [m/s^2]
 constexpr double fine_share = 2;   // how much longer edges are at the tip of an adaptive strip
 
 Mesh on_grid(std::string_view pattern, const StripSize& size) {
@@ -111,21 +110,21 @@ HangingTip bend_strip(const Mesh& strip, const Fabric& fabric, double gravity) {
 BendingLength measure_bending_length(const Fabric& fabric) {
     const double wanted = std::log(std::tan(tilt_deg * std::numbers::pi / 180));
     StripSize size;
-    size.length = 2 * std::cbrt(fabric.bending / (fabric.density * earth));
+    size.length = 2 * std::cbrt(fabric.bending / (fabric.density * standard_gravity));
     size.width = size.length / 4;
     const Mesh strip = clamped_strip("alternating", size);
     const auto slope = [&](double log_gravity) {
         return std::log(bend_strip(strip, fabric, std::exp(log_gravity)).slope());
     };
-    double before = std::log(earth), now = before + 0.1;
+    double before = std::log(standard_gravity), now = before + 0.1;
     double slope_before = slope(before), slope_now = slope(now);
     for (int i = 0; i < 6 && std::abs(slope_now - wanted) > 1e-5; ++i) {
         const double next = now + (wanted - slope_now) * (now - before) / (slope_now - slope_before);
         before = now, slope_before = slope_now;
         now = next, slope_now = slope(next);
     }
-    const double c = size.length * std::cbrt(std::exp(now) / earth) / 2;
-    return {c, fabric.density * earth * c * c * c};
+    const double c = size.length * std::cbrt(std::exp(now) / standard_gravity) / 2;
+    return {c, fabric.density * standard_gravity * c * c * c};
 }
 
 }  // namespace drape

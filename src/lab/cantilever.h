@@ -9,6 +9,8 @@
 
 namespace drape {
 
+inline constexpr double standard_gravity = 9.80665;  // [m/s^2]
+
 struct StripSize {
     double length = 0.2, width = 0.025;  // of the free part [m]
     int divisions = 20;                  // edges along it

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int trials = 1;                     // of every start of a collapsed sheet
 constexpr double base = 1;                    // [m]
-constexpr double stretch = 100;               // [N/m]
+constexpr double spring = 100;                // [N/m]
 constexpr int samples_a_unit = 200;           // of the ratio
 constexpr double first = 1.2, last = -0.2;    // of the ratio
 constexpr double hair = 1e-6, inside = -0.1;  // ratios: just above the base, and well below it
@@ -115,7 +115,7 @@ std::string claim_of(const std::vector<CompressionCurve>& curves) {
 
 std::vector<Law> compression_laws() {
     Fabric edges;
-    edges.stretch = stretch;
+    edges.stretch = spring;
     std::vector<Law> laws{{"edges alone", edges}};
     for (const auto& word : altitude_words) {
         if (word.choice == AltitudeMode::none) continue;
@@ -138,7 +138,7 @@ double resistance_at(const Fabric& fabric, double ratio) {
     const Points& rest = model.cloths.front().mesh.rest;
     Points x = rest;
     x.col(2) *= ratio;
-    return forces_of(forces, x).col(2).dot(rest.col(2).normalized()) / (stretch * base);
+    return forces_of(forces, x).col(2).dot(rest.col(2).normalized()) / (spring * base);
 }
 
 CompressionCurve compression_curve(const Law& law) {

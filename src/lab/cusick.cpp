@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "lab/cantilever.h"
 #include "lab/elastic.h"
 #include "lab/equilibrium.h"
 #include "mesh/irregular_mesh.h"
@@ -18,7 +19,6 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 using std::numbers::pi;
 
-constexpr double earth = 9.80665;  // [m/s^2]
 constexpr double nudge = 1e-4;     // out of the plane at the start, so that folds can form [m]
 constexpr int most_folds = 16;
 constexpr double drag_rate = 10;  // of the air that brings the disc to rest [1/s]
@@ -70,7 +70,7 @@ void drop(Model model, const Points& start, CusickDrape& drape) {
     const double density = model.cloths.front().fabric.density;
     setup.model = std::move(model);
     setup.start = {start, Points::Zero(3, start.cols()), 0};
-    setup.world = {{0, -earth, 0}, {.drag = drag_rate * density}};
+    setup.world = {{0, -standard_gravity, 0}, {.drag = drag_rate * density}};
     setup.frame_rate = 1 / frame;
     setup.frames = most_frames;
     Simulation simulation(std::move(setup));
@@ -102,8 +102,8 @@ CusickDrape drape_disc(const Fabric& fabric, double edge, std::uint64_t seed) {
     }
     hold_at_rest(model, clamped);
     // what bends less than it reaches out does not fold: implicit steps go there at once
-    if (std::cbrt(fabric.bending / (fabric.density * earth)) > disc_radius - support_radius) {
-        const Equilibrium rest = come_to_rest(model, {0, -earth, 0}, start);
+    if (std::cbrt(fabric.bending / (fabric.density * standard_gravity)) > disc_radius - support_radius) {
+        const Equilibrium rest = come_to_rest(model, {0, -standard_gravity, 0}, start);
         drape.x = rest.x;
         drape.at_rest = rest.found;
     } else {

@@ -8,7 +8,7 @@ namespace drape {
 
 namespace {
 
-constexpr std::array table{
+constexpr std::array all_experiments{
     Experiment{"anisotropy", "how stiff each mesh pattern is by direction, in stretch and in shear",
                run_anisotropy},
     Experiment{"folds", "in which directions a buckled sheet folds, by mesh pattern", run_folds, false},
@@ -30,13 +30,13 @@ constexpr std::array table{
 }  // namespace
 
 std::span<const Experiment> experiments() {
-    return table;
+    return all_experiments;
 }
 
 std::vector<const Experiment*> experiments_named(std::span<const std::string> names) {
     std::vector<const Experiment*> wanted;
-    for (const std::string& name : names) find_named(table, "experiment", name);
-    for (const Experiment& experiment : table) {
+    for (const std::string& name : names) find_named(all_experiments, "experiment", name);
+    for (const Experiment& experiment : all_experiments) {
         const bool asked = std::find(names.begin(), names.end(), experiment.name) != names.end();
         if (names.empty() || asked) wanted.push_back(&experiment);
     }

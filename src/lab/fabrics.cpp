@@ -17,8 +17,7 @@ namespace drape {
 
 namespace {
 
-constexpr double edge = 0.008;  // of the draped discs' triangles [m]
-constexpr double earth = 9.80665;
+constexpr double disc_edge = 0.008;  // of the draped discs' triangles [m]
 
 std::string percent(double share) {
     return figure(100 * share, 3);
@@ -109,7 +108,7 @@ LabFigure bending_figure(const std::vector<FabricMeasures>& all) {
                          "set ylabel 'drape coefficient [%]'\nset yrange [0:105]\nset xrange [5:230]\n"};
     std::string own = "$own << EOD\n", bars = "$bars << EOD\n";
     for (const FabricMeasures& one : all) {
-        const double weight = one.fabric.density * earth;
+        const double weight = one.fabric.density * standard_gravity;
         const double c = 1e3 * std::cbrt(one.fabric.bending / weight);
         own += cat(drape::figure(c, 5), " ", 100 * one.drape.coefficient, " \"", one.name, "\"\n");
         if (const auto band = drape_band(one.name))
@@ -184,7 +183,7 @@ LabResult measure_fabrics(std::span<const std::string> names) {
     for (const std::string& name : names) fabric_preset(name);
     for (const FabricPreset& preset : fabric_presets()) {
         if (!names.empty() && std::find(names.begin(), names.end(), preset.name) == names.end()) continue;
-        all.push_back(measure_fabric(preset.name, preset.fabric, edge));
+        all.push_back(measure_fabric(preset.name, preset.fabric, disc_edge));
     }
     LabResult result;
     result.claim = claim_of(all);

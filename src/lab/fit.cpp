@@ -20,8 +20,7 @@ namespace drape {
 namespace {
 
 constexpr std::uint64_t largest_file = 16 << 20;  // [bytes]
-constexpr double earth = 9.80665;                 // [m/s^2]
-constexpr int divisions = 24;
+constexpr int strip_divisions = 24;
 constexpr int rounds = 3;  // each takes out all but a hundredth of what is left
 
 std::string trimmed(std::string text) {
@@ -43,7 +42,7 @@ bool read_sample(const std::string& line, std::array<double, 2>& sample) {
 }
 
 double warp_modulus(const Fabric& fabric) {
-    return measure_elasticity(make_pattern("alternating", {1, 1, divisions, divisions}), fabric)
+    return measure_elasticity(make_pattern("alternating", {1, 1, strip_divisions, strip_divisions}), fabric)
         .stretch_modulus(0);
 }
 
@@ -115,7 +114,7 @@ FabricFit fit_fabric(const StretchCurve& curve, double bending_length, double de
     fabric.stretch = fit.modulus;
     fabric.stretch *= fit.modulus / warp_modulus(fabric);
     fabric.bending_kind = BendingKind::plate;
-    fabric.bending = density * earth * std::pow(bending_length, 3);
+    fabric.bending = density * standard_gravity * std::pow(bending_length, 3);
     fit.virtual_length = measure_bending_length(fabric).length;
     for (int i = 0; i < rounds; ++i) {
         fabric.bending *= std::pow(bending_length / fit.virtual_length, 3);

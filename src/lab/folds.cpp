@@ -30,7 +30,7 @@ constexpr double noise = 1e-4;                   // out of the plane at the star
 constexpr double still = 1e-5;                   // [m]
 constexpr double inner = 0.8;                    // share of the radius within which vertices count
 constexpr double near_line = 15 * pi / 180;      // [rad]
-constexpr int divisions = 16, starts = 3;
+constexpr int folded_divisions = 16, starts = 3;
 
 // Springs as the notes have them, and hinges that let a fold be some edges wide.
 Fabric folding_fabric() {
@@ -194,7 +194,7 @@ FoldRose fold_directions(std::string_view pattern, int count, int all) {
 LabResult run_folds() {
     std::vector<FoldRose> roses;
     for (const std::string& pattern : even_patterns())
-        roses.push_back(fold_directions(pattern, divisions, starts));
+        roses.push_back(fold_directions(pattern, folded_divisions, starts));
     LabResult result;
     result.claim =
         "of the folding of a disc pressed together all round, the most in one direction over the mean:";

@@ -24,8 +24,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double side = 0.5, earth = 9.81;  // [m], [m/s^2]
-constexpr int divisions = 12, steps_a_sample = 4;
+constexpr double sheet_side = 0.5, gravity = 9.81;  // [m], [m/s^2]
+constexpr int sheet_divisions = 12, steps_a_sample = 4;
 constexpr double lead_in = 0.25, seconds = 1.25;  // [s]
 constexpr double beyond = 1.1;                    // of the fastest mode: what lies above is no mode's
 constexpr double shown = 0.06;                    // of a trace [s]
@@ -138,14 +138,14 @@ double Jitter::power_above(double frequency) const {
 Jitter measure_jitter(AltitudeMode mode, double duration) {
     Setup setup;
     setup.model =
-        free_cloth(make_pattern("alternating", {side, side, divisions, divisions}), cloth_with(mode));
+        free_cloth(make_pattern("alternating", {sheet_side, sheet_side, sheet_divisions, sheet_divisions}), cloth_with(mode));
     const Points rest = setup.model.cloths.front().mesh.rest;
     std::vector<int> corners;
     for (int v = 0; v < setup.model.vertices(); ++v)
-        if (std::abs(rest(0, v)) > side / 2 - 1e-9 && rest(2, v) < -side / 2 + 1e-9) corners.push_back(v);
+        if (std::abs(rest(0, v)) > sheet_side / 2 - 1e-9 && rest(2, v) < -sheet_side / 2 + 1e-9) corners.push_back(v);
     hold_at_rest(setup.model, corners);
     setup.start = {rest, Points::Zero(3, rest.cols()), 0};
-    setup.world.gravity = {0, -earth, 0};
+    setup.world.gravity = {0, -gravity, 0};
     setup.frame_rate = jitter_rate;
     setup.frames = static_cast<int>(duration * jitter_rate);
     setup.method = "verlet";

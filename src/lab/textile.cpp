@@ -14,14 +14,14 @@ namespace {
 constexpr std::array bands{DrapeBand{"silk", 0.2, 0.4}, DrapeBand{"cotton", 0.6, 0.76},
                            DrapeBand{"wool", 0.4, 0.7}, DrapeBand{"denim", 0.7, 0.9}};
 
-constexpr int divisions = 24;  // of the sheet that is pulled
+constexpr int pulled_divisions = 24;  // of the sheet that is pulled
 
 }  // namespace
 
 FabricMeasures measure_fabric(std::string_view name, const Fabric& fabric, double edge) {
     FabricMeasures measures{std::string(name), fabric, measure_bending_length(fabric), 0, 0, 0, {}};
     const Elasticity sheet =
-        measure_elasticity(make_pattern("alternating", {1, 1, divisions, divisions}), fabric);
+        measure_elasticity(make_pattern("alternating", {1, 1, pulled_divisions, pulled_divisions}), fabric);
     measures.warp = pull / sheet.stretch_modulus(0);
     measures.weft = pull / sheet.stretch_modulus(std::numbers::pi / 2);
     measures.bias = pull / sheet.stretch_modulus(std::numbers::pi / 4);

@@ -15,7 +15,7 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 
 constexpr int most_rounds = 8;
-constexpr double rounding = 1e-9;  // of an area
+constexpr double area_rounding = 1e-9;  // of an area
 
 using Pair = std::array<double, 4>;  // two places
 
@@ -67,7 +67,7 @@ Mesh fill(const Outline& outline, const SizeField& edge_length,
             }
         }
         const double area = area_between(loops);
-        if (unjoined == 0 && border.edges.size() == sides && std::abs(border.area - area) <= rounding * area)
+        if (unjoined == 0 && border.edges.size() == sides && std::abs(border.area - area) <= area_rounding * area)
             return mesh;
         if (unjoined == 0) break;
     }

@@ -15,7 +15,7 @@ constexpr double beside_on_own_core = 1.1, beside_on_same_core = 1.9;
 constexpr int trial_steps = 100;
 constexpr double spare_before_contact = 0.3, spare_before_first_picture = 0.5;
 // More steps than so many times the stable ones gain nothing that round-off leaves.
-constexpr double most_refinement = 256;
+constexpr double finest_refinement = 256;
 
 struct Look {
     double step_seconds = 0;  // wall, of one pass [s]
@@ -76,7 +76,7 @@ void BudgetedDelivery::take(const Approach& approach) {
     inner.estimate = approach.estimate;
     inner_ = std::make_unique<StreamedDelivery>(pass_along(approach.way, setup_, 1), inner);
     const Simulation& simulation = inner_->simulation();
-    most_steps_ = most_refinement / simulation.frame_rate() / simulation.step();
+    most_steps_ = finest_refinement / simulation.frame_rate() / simulation.step();
     waits_for_contact_ = simulation.has_contact();
     pacer_.emplace(*options_.budget, frames_, approach.step_seconds);
 }

@@ -15,7 +15,7 @@ namespace {
 
 // A study costs about this many passes at the longest stable step: references some 15, the rungs of all
 // methods the rest.
-constexpr double passes = 40;
+constexpr double study_passes = 40;
 
 // Where the twin is farther away than this no method can be told from another [m].
 constexpr double predictable = 1e-4;
@@ -66,7 +66,7 @@ Probe probe_scene(const Setup& given, std::optional<double> until, double budget
         }
         probe.cpu_seconds += frame.cpu_seconds;
         probe.floor.push_back(floor);
-        if (!until && probe.cpu_seconds > budget / passes) {
+        if (!until && probe.cpu_seconds > budget / study_passes) {
             ended_by = "as much as the budget allows";
             break;
         }

@@ -14,7 +14,7 @@ namespace {
 constexpr int most_columns = 5;
 constexpr size_t long_title = 24;  // letters: set smaller, or it runs into the next panel's
 constexpr double panel_width = 196, panel_height = 168, gap_across = 46, gap_down = 66;
-constexpr double left = 82, right = 20, bottom = 66, top = 84;
+constexpr double left_margin = 82, right = 20, bottom = 66, top = 84;
 
 // Half a cell on a log axis, as a factor.
 double half_of(const std::vector<double>& grid) {
@@ -116,7 +116,7 @@ struct Layout {
         : slots(static_cast<int>(panels) + 1),
           columns(std::min(slots, most_columns)),
           rows((slots + columns - 1) / columns),
-          width(left + right + columns * panel_width + (columns - 1) * gap_across),
+          width(left_margin + right + columns * panel_width + (columns - 1) * gap_across),
           height(bottom + top + rows * panel_height + (rows - 1) * gap_down) {}
 
     bool is_leftmost(int slot) const { return slot % columns == 0; }
@@ -130,7 +130,7 @@ constexpr const char *step_label = "set ylabel 'step [s]' font ',11' offset 1.2,
 
 std::string all_panels(const StabilityFigure& figure, const Layout& layout, const Frame& frame) {
     return cat("set multiplot title ", plot_quoted(figure.title), " noenhanced font ',16' layout ",
-               layout.rows, ",", layout.columns, " margins ", left / layout.width, ",",
+               layout.rows, ",", layout.columns, " margins ", left_margin / layout.width, ",",
                1 - right / layout.width, ",", bottom / layout.height, ",", 1 - top / layout.height,
                " spacing ", gap_across / layout.width, ",", gap_down / layout.height,
                "\nset logscale xy\nset border 31 lc rgb '#777777'\n",
