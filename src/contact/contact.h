@@ -48,8 +48,8 @@ public:
     // Pairs of triangles that cross, of surfaces that meet by pairs (mesh/crossings.h).
     int crossings(In x, double time) const;
 
-    // Per column of the State (gap_shares.cpp): the least gap that contact works across at the vertex or in the
-    // triangles around it, of the gap where it begins; 1: nothing touches there.
+    // Per column of the State (gap_shares.cpp): the least gap that contact works across at the vertex or in
+    // the triangles around it, of the gap where it begins; 1: nothing touches there.
     Eigen::VectorXd gap_shares(In x, double time) const;
 
     // Clears small overlaps of the start (see ObstacleContact::lift_out). Returns the largest move [m];

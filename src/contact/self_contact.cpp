@@ -342,8 +342,8 @@ void SelfContact::demand_apart(In cloth) {
         const Obstacle* mesh = surfaces_.mesh(pair.layers % surfaces_.count());  // numbered after the cloths
         throw Error(cat(mesh && !mesh->place.empty() ? mesh->place + ": " : "",
                         mesh ? "cloth starts " : "cloth that meets itself starts ", gap,
-                        mesh ? " m from the mesh" : " m from itself", " at vertices ", pair.vertex[0], " and ",
-                        pair.vertex[3], " (at least ", least, " m, a hundredth of the thickness)"));
+                        mesh ? " m from the mesh" : " m from itself", " at vertices ", pair.vertex[0],
+                        " and ", pair.vertex[3], " (at least ", least, " m, a hundredth of the thickness)"));
     }
 }
 

@@ -71,7 +71,7 @@ public:
     // `reach` and that contact keeps apart; else infinite [m].
     Eigen::VectorXd room(In x, double time, double reach);
     void lower_gap_shares(In x, double time, Eigen::VectorXd& shares);  // as Contact::gap_shares
-    double mean_edge() const { return search_.mean_edge(); }  // [m]
+    double mean_edge() const { return search_.mean_edge(); }            // [m]
 
     const Surfaces& surfaces() const { return surfaces_; }
     // of two cloths, or of a cloth and a mesh, numbered after the cloths

@@ -45,7 +45,8 @@ protected:
         Points residual;       // minus its gradient, with all forces; 0 at pins [N]
         Points driving;        // forces without a potential [N]
     };
-    bool evaluate(const ImplicitStage& stage, Trial& trial);        // fills all but x; false where x is not possible
+    bool evaluate(const ImplicitStage& stage,
+                  Trial& trial);                            // fills all but x; false where x is not possible
     double rise(const Trial& from, const Trial& to) const;  // of Phi, less the work of driving forces [J]
     // Moves now_ by as much of the direction as lowers Phi enough, and sets `length` to how much that was;
     // next_ is then where it was. False if no part of it does.
@@ -76,7 +77,7 @@ private:
     bool start(const ImplicitStage& stage, const State& state);
     bool is_better(const Points& direction, double length) const;
     double clear_part(const ImplicitStage& stage, const Points& direction);  // of it, of obstacles
-    bool settle(const ImplicitStage& stage);                // rounds under the normal forces that friction holds
+    bool settle(const ImplicitStage& stage);  // rounds under the normal forces that friction holds
     double typical_move(const ImplicitStage& stage) const;  // of a vertex, RMS [m]
 
     Points pin_velocity_, acceleration_, scratch_;

@@ -19,7 +19,7 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 using std::numbers::pi;
 
-constexpr double nudge = 1e-4;     // out of the plane at the start, so that folds can form [m]
+constexpr double nudge = 1e-4;  // out of the plane at the start, so that folds can form [m]
 constexpr int most_folds = 16;
 constexpr double drag_rate = 10;  // of the air that brings the disc to rest [1/s]
 constexpr double frame = 0.1;     // between looks whether it has [s]

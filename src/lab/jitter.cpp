@@ -138,11 +138,13 @@ double Jitter::power_above(double frequency) const {
 Jitter measure_jitter(AltitudeMode mode, double duration) {
     Setup setup;
     setup.model =
-        free_cloth(make_pattern("alternating", {sheet_side, sheet_side, sheet_divisions, sheet_divisions}), cloth_with(mode));
+        free_cloth(make_pattern("alternating", {sheet_side, sheet_side, sheet_divisions, sheet_divisions}),
+                   cloth_with(mode));
     const Points rest = setup.model.cloths.front().mesh.rest;
     std::vector<int> corners;
     for (int v = 0; v < setup.model.vertices(); ++v)
-        if (std::abs(rest(0, v)) > sheet_side / 2 - 1e-9 && rest(2, v) < -sheet_side / 2 + 1e-9) corners.push_back(v);
+        if (std::abs(rest(0, v)) > sheet_side / 2 - 1e-9 && rest(2, v) < -sheet_side / 2 + 1e-9)
+            corners.push_back(v);
     hold_at_rest(setup.model, corners);
     setup.start = {rest, Points::Zero(3, rest.cols()), 0};
     setup.world.gravity = {0, -gravity, 0};

@@ -108,8 +108,7 @@ bool any_side_meets(const Triangle& one, const Triangle& two) {
 class Counter {
 public:
     using Counts = std::function<bool(int, int)>;
-    Counter(const Faces& faces, In x, const Counts& counts)
-        : faces_(faces), x_(x), counts_(counts) {
+    Counter(const Faces& faces, In x, const Counts& counts) : faces_(faces), x_(x), counts_(counts) {
         found_.crosses.resize(static_cast<size_t>(faces.cols()));
     }
 

@@ -67,7 +67,8 @@ Mesh fill(const Outline& outline, const SizeField& edge_length,
             }
         }
         const double area = area_between(loops);
-        if (unjoined == 0 && border.edges.size() == sides && std::abs(border.area - area) <= area_rounding * area)
+        if (unjoined == 0 && border.edges.size() == sides &&
+            std::abs(border.area - area) <= area_rounding * area)
             return mesh;
         if (unjoined == 0) break;
     }
