@@ -45,8 +45,8 @@ protected:
         Points residual;       // minus its gradient, with all forces; 0 at pins [N]
         Points driving;        // forces without a potential [N]
     };
-    bool evaluate(const ImplicitStage& stage,
-                  Trial& trial);                            // fills all but x; false where x is not possible
+    // fills all but x; false where x is not possible
+    bool evaluate(const ImplicitStage& stage, Trial& trial);
     double rise(const Trial& from, const Trial& to) const;  // of Phi, less the work of driving forces [J]
     // Moves now_ by as much of the direction as lowers Phi enough, and sets `length` to how much that was;
     // next_ is then where it was. False if no part of it does.

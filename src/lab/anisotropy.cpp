@@ -22,8 +22,8 @@ namespace drape {
 namespace {
 
 constexpr double stretch = 100;  // [N/m], or [N] per strain
-constexpr int drawn_divisions =
-    52;  // of the sheets whose curves are drawn: 60 rows of equilateral triangles fit
+// of the sheets whose curves are drawn: 60 rows of equilateral triangles fit
+constexpr int drawn_divisions = 52;
 constexpr std::array fineness{8, 12, 16, 24, 32, 48, 64};
 constexpr std::uint64_t seeds = 3;  // of irregular sheets, for each fineness
 constexpr double good = 1.1;        // most over least that counts as alike in every direction
