@@ -31,7 +31,8 @@ Mat3 rotation_from_up(const Vec3& unit) {
     return turn;
 }
 
-RigidMotion::RigidMotion(std::vector<Keyframe> keys) : keys_(std::move(keys)) {
+RigidMotion::RigidMotion(std::vector<Keyframe> keys, const Vec3& about)
+    : keys_(std::move(keys)), about_(about) {
     for (size_t i = 1; i < keys_.size(); ++i)
         if (!(keys_[i].t > keys_[i - 1].t))
             throw Error(cat("keyframe times must increase, got ", keys_[i - 1].t, " then ", keys_[i].t));
@@ -72,13 +73,16 @@ MovingPose RigidMotion::at(double t) const {
         rate = ((6 * s * s - 6 * s) * (a - b) + (3 * s * s - 4 * s + 1) * da + (3 * s * s - 2 * s) * db) / h;
     }
     const Vec3 degrees = value.tail<3>(), turning = rate.tail<3>() * radians;
-    moving.pose = {rotation_from_degrees(degrees), value.head<3>()};
-    moving.linear = rate.head<3>();
+    const Mat3 rotation = rotation_from_degrees(degrees);
+    const Vec3 about_turned = rotation * about_;
+    // where nothing turns the bracket is exactly zero
+    moving.pose = {rotation, value.head<3>() + (about_ - about_turned)};
     // R = Rz Ry Rx: angular velocity is the z rate, plus the y rate carried by Rz, plus the x rate by Rz Ry
     const Mat3 rz = rotation_from_degrees({0, 0, degrees.z()});
     const Mat3 rzy = rotation_from_degrees({0, degrees.y(), degrees.z()});
     moving.angular = turning.z() * Vec3::UnitZ() + rz * (turning.y() * Vec3::UnitY()) +
                      rzy * (turning.x() * Vec3::UnitX());
+    moving.linear = rate.head<3>() - moving.angular.cross(about_turned);
     return moving;
 }
 

@@ -47,11 +47,14 @@ struct Keyframe {
 class RigidMotion {
 public:
     RigidMotion() = default;
-    explicit RigidMotion(std::vector<Keyframe> keys);  // times strictly increasing, else Error
+    // Rotations turn about the point `about`, which translations carry along. Times strictly increase, else
+    // Error.
+    explicit RigidMotion(std::vector<Keyframe> keys, const Vec3& about = Vec3::Zero());
 
     bool moves() const { return keys_.size() > 1; }
+    const Vec3& about() const { return about_; }
     MovingPose at(double t) const;
-    // no point within `radius` of the moving origin is ever faster than this [m/s]
+    // no point within `radius` of the one that turns stay about is ever faster than this [m/s]
     double top_speed(double radius) const { return top_speed(radius, -INFINITY, INFINITY); }
     // the same from one time to another [s]
     double top_speed(double radius, double from, double to) const;
@@ -60,6 +63,7 @@ public:
 private:
     using Six = Eigen::Matrix<double, 6, 1>;
     std::vector<Keyframe> keys_;
+    Vec3 about_ = Vec3::Zero();
     std::vector<Six> value_, slope_;
 };
 

@@ -33,7 +33,7 @@ constexpr std::array kinds{
 double Obstacle::surface_speed(double from, double to) const {
     constexpr double far_out = 1e3;  // on a plane that turns [m]
     if (!motion.moves()) return 0;
-    const double reach = solid->reach() + solid->centre().norm();
+    const double reach = solid->reach() + (solid->centre() - motion.about()).norm();
     return motion.top_speed(std::isfinite(reach) ? reach : far_out, from, to);
 }
 

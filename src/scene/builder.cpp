@@ -119,9 +119,10 @@ Built build_scene(const SceneDescription& scene) {
     }
     for (const ObstacleDescription& obstacle : scene.obstacles) {
         const CpuScope timer(built.load_seconds);
-        setup.obstacles.push_back({obstacle.shape, make_solid(scene, obstacle, built.notes),
-                                   RigidMotion(obstacle.motion), obstacle.friction, obstacle.thickness,
-                                   obstacle.place.text});
+        const std::shared_ptr<const Solid> solid = make_solid(scene, obstacle, built.notes);
+        setup.obstacles.push_back({obstacle.shape, solid,
+                                   RigidMotion(obstacle.motion, obstacle.about.value_or(solid->centre())),
+                                   obstacle.friction, obstacle.thickness, obstacle.place.text});
     }
     setup.world = {scene.gravity, scene.air};
     setup.world.air.seed = scene.seed;

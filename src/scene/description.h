@@ -78,6 +78,7 @@ struct ObstacleDescription {
     double thickness = 0.003;    // ... how far cloth keeps off it, besides half its own thickness [m]
     double friction = 0.3;       // Coulomb's coefficient between it and cloth [-]
     std::vector<Keyframe> motion;
+    std::optional<Vec3> about;  // the point its rotations turn about; default its centre [m]
     Colour colour{0x9e / 255.0f, 0xa1 / 255.0f, 0xa8 / 255.0f};
     Place place, mesh_place;
 };

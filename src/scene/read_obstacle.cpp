@@ -33,7 +33,7 @@ ObstacleDescription read_obstacle(const Value& value) {
 
     std::vector<std::string> known{"shape"};
     known.insert(known.end(), kind.keys.begin(), kind.keys.end());
-    known.insert(known.end(), {"friction", "motion", "colour"});
+    known.insert(known.end(), {"friction", "motion", "about", "colour"});
     const Keys keys(value, std::string(kind.name), known);
 
     ObstacleDescription obstacle;
@@ -45,6 +45,7 @@ ObstacleDescription read_obstacle(const Value& value) {
         if (value.find(key.name)) keys.read(key.name, obstacle.parameters.*key.member, key.quantity);
     keys.read("friction", obstacle.friction, not_negative());
     if (const Value* motion = keys.find("motion")) obstacle.motion = read_motion(*motion);
+    if (const Value* about = keys.find("about")) obstacle.about = as_vector(*about, "about", any("m"));
     if (const Value* colour = keys.find("colour")) obstacle.colour = read_colour(*colour, "colour");
 
     if (!kind.make) {

@@ -177,8 +177,9 @@ std::string obstacle_text(const ObstacleDescription& obstacle) {
     else
         text += cat("mesh = ", toml(obstacle.mesh), "\n", placement_text(obstacle.placement),
                     "thickness = ", toml(obstacle.thickness), "\n");
-    return text + cat("friction = ", toml(obstacle.friction), "\nmotion = ", toml(obstacle.motion),
-                      "\ncolour = ", toml(obstacle.colour), "\n");
+    text += cat("friction = ", toml(obstacle.friction), "\nmotion = ", toml(obstacle.motion), "\n");
+    if (obstacle.about) text += cat("about = ", toml(*obstacle.about), "\n");
+    return text + cat("colour = ", toml(obstacle.colour), "\n");
 }
 
 std::string air_text(const AirDescription& air) {

@@ -20,9 +20,8 @@ double clearance(const State& start, const Obstacle& obstacle) {
     for (Eigen::Index i = 0; i < start.x.cols(); ++i)
         least = std::min(least, obstacle.solid->sample(pose.back(start.x.col(i))).distance);
     if (!obstacle.motion.moves()) return least;
-    const double reach = obstacle.solid->reach() + obstacle.solid->centre().norm();
-    if (!std::isfinite(reach)) return 0;
-    return least - obstacle.motion.top_speed(reach) * obstacle.motion.end_time();
+    if (!std::isfinite(obstacle.solid->reach())) return 0;
+    return least - obstacle.surface_speed() * obstacle.motion.end_time();
 }
 
 }  // namespace drape

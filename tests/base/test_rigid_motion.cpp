@@ -45,8 +45,21 @@ TEST_CASE("a motion passes through its keyframes and stands still outside them",
     CHECK(motion.end_time() == 3);
 }
 
+TEST_CASE("a motion turns about the point it is given, which translations carry", "[base]") {
+    const Vec3 about(0.3, -2, 1);
+    const RigidMotion motion(walk, about);
+    for (double t = 0; t < 3.1; t += 0.31) {
+        const Pose pose = motion.at(t).pose, plain = RigidMotion(walk).at(t).pose;
+        CHECK((pose * about - (about + plain.translation)).norm() < 1e-12);
+        CHECK(pose.rotation == plain.rotation);
+    }
+    const std::vector<Keyframe> straight{{0, {0, 0, 0}}, {1, {0.1, 0.7, 0}}};
+    CHECK(RigidMotion(straight, about).at(0.3).pose.translation ==
+          RigidMotion(straight).at(0.3).pose.translation);
+}
+
 TEST_CASE("the velocity a motion tells is the rate at which its points move", "[base]") {
-    const RigidMotion motion(walk);
+    const RigidMotion motion(walk, GENERATE(Vec3(0, 0, 0), Vec3(0.1, 2, -0.4)));
     const Vec3 local(0.2, -0.4, 0.7);
     constexpr double h = 1e-5;
     for (double t = 0.05; t < 3; t += 0.0937) {

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "obstacle/obstacle.h"
+#include "scene/builder.h"
 #include "support/scene_file.h"
 
 using namespace drape;
@@ -35,7 +36,8 @@ TEST_CASE("an obstacle reads its numbers with units, and its motion", "[scene]")
         scene_of(with_obstacle(
                      "shape = \"torus\"\ncentre = [0, \"30 cm\", 0]\naxis = [0, 0, 1]\nradius = \"20 cm\"\n"
                      "tube_radius = 0.05\nfriction = 0\ncolour = \"#ffffff\"\n"
-                     "motion = [{ t = 0 }, { t = \"1 s\", rotate_deg = [0, 720, 0] }]\n"))
+                     "motion = [{ t = 0 }, { t = \"1 s\", rotate_deg = [0, 720, 0] }]\n"
+                     "about = [0, \"5 cm\", 0]\n"))
             .obstacles.at(0);
     CHECK(torus.parameters.centre == Vec3(0, 0.3, 0));
     CHECK(torus.parameters.axis == Vec3(0, 0, 1));
@@ -45,6 +47,20 @@ TEST_CASE("an obstacle reads its numbers with units, and its motion", "[scene]")
     CHECK(torus.colour == Colour{1, 1, 1});
     REQUIRE(torus.motion.size() == 2);
     CHECK(torus.motion[1].rotate_deg == Vec3(0, 720, 0));
+    CHECK(torus.about == Vec3(0, 0.05, 0));
+}
+
+TEST_CASE("an obstacle turns about its centre, or about the point it names", "[scene]") {
+    const std::string ball =
+        "shape = \"sphere\"\ncentre = [1, 2, 3]\nradius = 0.2\nmotion = [{ t = 0 }, { t = 1, rotate_deg = "
+        "[0, "
+        "0, 90] }]\n";
+    const auto centre_of = [](const std::string& obstacle) {
+        const Obstacle built = build_scene(scene_of(with_obstacle(obstacle))).setup.obstacles.at(0);
+        return Vec3(built.motion.at(1).pose * Vec3(1, 2, 3));
+    };
+    CHECK((centre_of(ball) - Vec3(1, 2, 3)).norm() < 1e-15);
+    CHECK((centre_of(ball + "about = [0, 0, 0]\n") - Vec3(-2, 1, 3)).norm() < 1e-15);
 }
 
 TEST_CASE("a mesh obstacle reads its file, place and thickness, and needs the file", "[scene]") {
@@ -74,7 +90,7 @@ TEST_CASE("wrong obstacles are refused at their place", "[scene]") {
     CHECK(error_of(with_obstacle("shape = \"sphere\"\nradious = 1\n")) ==
           "scene.toml:6:1: unknown sphere key \"radious\"; did you mean \"radius\"? (known: shape, centre, "
           "radius, "
-          "friction, motion, colour)");
+          "friction, motion, about, colour)");
     CHECK(error_of(with_obstacle("shape = \"sphere\"\nheight = 1\n"))
               .starts_with("scene.toml:6:1: unknown sphere key \"height\""));
     CHECK(error_of(with_obstacle("shape = \"sphere\"\nradius = -1\n")) ==

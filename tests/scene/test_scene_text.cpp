@@ -34,6 +34,7 @@ shape = "plane"
 shape = "sphere"
 radius = 0.123456789012345678
 motion = [{ t = 1, rotate_deg = [0, 1, 0] }]
+about = [1, 0.2, 3]
 [[obstacle]]
 shape = "capsule"
 colour = "#000000"
