@@ -1,7 +1,7 @@
 # bash completion for drape
 _drape() {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} verb=${COMP_WORDS[1]}
-    local run="--out --method --step --tolerance --budget --replay --strict --no-estimate --threads --set --cache --resume --from --checkpoint-every \
+    local run="--out --method --step --tolerance --budget --replay --strict --no-estimate --untangle --threads --set --cache --resume --from --checkpoint-every \
 --verify-hashes --quiet --help"
     COMPREPLY=()
 

@@ -41,6 +41,7 @@ void add_run_options(CLI::App& verb, const std::shared_ptr<RunOptions>& run) {
         ->type_name("FILE");
     verb.add_flag("--strict", run->strict, "exit with 4 where the tolerance or the budget is not kept");
     verb.add_flag("!--no-estimate", run->estimate, "leave out the second pass that tells the error");
+    verb.add_flag("--untangle", run->untangle, "take a start apart that crosses itself or a mesh");
     verb.add_option("--threads", run->threads, "how many threads (default: one per core)")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));

@@ -20,6 +20,7 @@ struct RunOptions {
     std::string replay;               // the report of a run to repeat; "" = none
     bool strict = false;              // exit 4 where tolerance or budget are not kept
     bool estimate = true;             // of the error, where no tolerance is asked
+    bool untangle = false;            // a start that crosses itself
     int threads = 0;                  // 0 = as many as there are cores
     bool quiet = false;
     bool resume = false;

@@ -14,6 +14,7 @@
 #include "app/resume.h"
 #include "app/run_caches.h"
 #include "app/run_pictures.h"
+#include "app/untangle_start.h"
 #include "app/verbs.h"
 #include "app/verification.h"
 #include "app/version.h"
@@ -100,6 +101,7 @@ Run::Run(const RunOptions& options) : options_(options), scene_(described_scene(
         DeliveryOptions wanted = delivery_options();
         if (!options.replay.empty()) replay(built.setup, wanted);
         built.setup.stop = interrupted_for_seconds;
+        if (options.untangle) untangle_start(built.setup, report_.notes);
         identify(identity_, scene_, built.setup.method, wanted.replay);
         delivery_ = make_delivery(std::move(built.setup), wanted);
     }

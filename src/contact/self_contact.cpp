@@ -329,9 +329,9 @@ void SelfContact::demand_apart(In cloth) {
         const std::string which = cat(found.triangles, " triangles in ", found.pairs, " pairs");
         if (mesh)
             throw Error(cat(mesh->place.empty() ? "" : mesh->place + ": ",
-                            "cloth starts crossing the mesh: ", which, " (move one of them)"));
+                            "cloth starts crossing the mesh: ", which, " (move one of them, or --untangle)"));
         throw Error(cat("cloth that meets itself starts crossing: ", which, ", the first ", found.first[0],
-                        " and ", found.first[1], " (move them apart, or self_contact = false)"));
+                        " and ", found.first[1], " (move them apart, --untangle, or self_contact = false)"));
     }
     const auto x = surfaces_.positions(cloth, 0);
     cover(x, 0);

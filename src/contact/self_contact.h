@@ -71,9 +71,14 @@ public:
     // `reach` and that contact keeps apart; else infinite [m].
     Eigen::VectorXd room(In x, double time, double reach);
     void lower_gap_shares(In x, double time, Eigen::VectorXd& shares);  // as Contact::gap_shares
+    // Adds to `move` what takes pairs at x that are nearer than a share of their barrier straight apart to
+    // it, in the mean of a vertex's pairs. The least share that any is apart, or infinite (untangle.cpp).
+    double push_apart(In x, double share, Points& move);
     double mean_edge() const { return search_.mean_edge(); }            // [m]
 
     const Surfaces& surfaces() const { return surfaces_; }
+    Eigen::Ref<const Points> positions(In x, double time) { return surfaces_.positions(x, time); }
+    const Faces& faces() const { return faces_; }  // columns of those positions
     // of two cloths, or of a cloth and a mesh, numbered after the cloths
     const Barrier& barrier(int surface, int other) const;
 

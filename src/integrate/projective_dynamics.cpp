@@ -87,9 +87,9 @@ private:
 // A step that a thousand rounds do not bring there has failed: to keep it would let springs of 1e9 N/m gain
 // energy.
 bool ProjectiveSolver::is_done(const ImplicitStage& stage) const {
-    constexpr double part = 0.003, least = 1e-8;  // of the forces' share; an error that never matters [m]
+    constexpr double part = 0.003, harmless = 1e-8;  // of the forces' share; an error that never matters [m]
     const double scale = dynamics_.kinetic_energy(now_.v - stage.vp);
-    const double floor = dynamics_.model().mass.sum() / 2 * std::pow(least / stage.c, 2);
+    const double floor = dynamics_.model().mass.sum() / 2 * std::pow(harmless / stage.c, 2);
     const size_t rounds = drops_.size() - 1, last = std::max<size_t>(10, rounds / 4);
     return rounds >= last && drops_[rounds] - drops_[rounds - last] <= part * part * scale + floor;
 }

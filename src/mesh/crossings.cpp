@@ -130,11 +130,13 @@ public:
         const bool cross = shared == 0 ? any_side_meets(a, b) || any_side_meets(b, a)
                                        : opposite_meets(a, corner, b) || opposite_meets(b, other, a);
         if (!cross) return;
-        const std::array<int, 2> pair{std::min(one, two), std::max(one, two)};
-        if (found_.pairs++ == 0 || pair < found_.first) found_.first = pair;
+        found_.which.push_back({std::min(one, two), std::max(one, two)});
         found_.crosses[static_cast<size_t>(one)] = found_.crosses[static_cast<size_t>(two)] = true;
     }
     Crossings found() {
+        std::sort(found_.which.begin(), found_.which.end());
+        found_.pairs = static_cast<int>(found_.which.size());
+        if (found_.pairs > 0) found_.first = found_.which.front();
         found_.triangles = static_cast<int>(std::count(found_.crosses.begin(), found_.crosses.end(), true));
         return found_;
     }

@@ -15,10 +15,11 @@
 namespace drape {
 
 struct Crossings {
-    int pairs = 0;                     // of triangles
-    int triangles = 0;                 // that cross any other
-    std::array<int, 2> first{-1, -1};  // the pair of the lowest numbers
-    std::vector<bool> crosses;         // per triangle, whether any other
+    int pairs = 0;                          // of triangles
+    int triangles = 0;                      // that cross any other
+    std::array<int, 2> first{-1, -1};       // the pair of the lowest numbers
+    std::vector<bool> crosses;              // per triangle, whether any other
+    std::vector<std::array<int, 2>> which;  // the pairs, lower number first, in order
 };
 
 // Columns of `x` that are not finite make their triangles cross nothing.
