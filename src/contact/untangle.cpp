@@ -99,24 +99,31 @@ public:
         done.before = found;
         if (found.pairs == 0) return done;
         const Points start = x_;
+        // gaps of round-off may close again while layers are parted
+        for (; found.pairs > 0; found = contact_->crossings(x_, 0)) {
+            draw_out(std::move(found), done);
+            done.rounds += part();
+        }
+        done.largest_move = std::sqrt((x_ - start).colwise().squaredNorm().maxCoeff());
+        return done;
+    }
+
+private:
+    void draw_out(Crossings found, Untangled& done) {
         double shortest = INFINITY;
         for (int in_vain = 0; found.pairs > 0; ++done.rounds, found = contact_->crossings(x_, 0)) {
             const double length = shorten_curves(found);
             in_vain = length < shortest ? 0 : in_vain + 1;
             shortest = std::min(shortest, length);
-            if (done.rounds == most_rounds || in_vain == most_in_vain)
+            if (done.rounds >= most_rounds || in_vain == most_in_vain)
                 throw Error(cat("cloth cannot be untangled: ", found.pairs,
                                 " pairs of triangles cross after ", done.rounds, " rounds, ",
                                 done.before.pairs,
                                 " did at the start (--untangle draws out corners and folds, not sheets that "
                                 "cross from border to border)"));
         }
-        done.rounds += part();
-        done.largest_move = std::sqrt((x_ - start).colwise().squaredNorm().maxCoeff());
-        return done;
     }
 
-private:
     // One round; the length of all curves before it [m].
     double shorten_curves(const Crossings& found) {
         const Points all = contact_->positions(x_, 0);
@@ -151,9 +158,12 @@ private:
         for (int round = 0; round < most_rounds; ++round) {
             Points move = Points::Zero(3, x_.cols());
             if (contact_->push_apart(x_, wanted_gap, move) >= enough_gap) return round;
-            Points there = x_ + move;
-            neighbours_.keep_lengths(there);
-            move = there - x_;
+            // lengths by turns: they must not press together for good what is to part
+            if (round % 2 == 1) {
+                Points there = x_ + move;
+                neighbours_.keep_lengths(there);
+                move = there - x_;
+            }
             x_ += contact_->clear_part(x_, move, 0) * move;
         }
         throw Error(
@@ -179,7 +189,8 @@ double SelfContact::push_apart(In cloth, double share, Points& move) {
     std::vector<SelfPair> pairs;
     search_.find(x, share * thickness_, pairs);
     double nearest_share = INFINITY;
-    Eigen::VectorXd pushes = Eigen::VectorXd::Zero(cloth.cols());
+    Points push = Points::Zero(3, cloth.cols());
+    Eigen::VectorXd urgencies = Eigen::VectorXd::Zero(cloth.cols());
     for (const SelfPair& pair : pairs) {
         const Nearest nearest = nearest_of(pair, points_of(pair, x.data()));
         const double thickness = layers(pair).barrier.thickness;
@@ -189,14 +200,17 @@ double SelfContact::push_apart(In cloth, double share, Points& move) {
             if (inverse_mass[pair.vertex[i]] > 0) yielding += nearest.weight[i] * nearest.weight[i];
         const double missing = share * thickness - nearest.distance;
         if (yielding == 0 || missing <= 0) continue;
+        // the nearest, which stops all others, has the most to say
+        const double urgency = thickness / nearest.distance;
         for (int i = 0; i < 4; ++i) {
             const int v = pair.vertex[i];
             if (inverse_mass[v] == 0 || nearest.weight[i] == 0) continue;
-            move.col(v) += missing / yielding * nearest.weight[i] * nearest.normal;
-            ++pushes[v];
+            push.col(v) += urgency * missing / yielding * nearest.weight[i] * nearest.normal;
+            urgencies[v] += urgency * std::abs(nearest.weight[i]);
         }
     }
-    for (Eigen::Index i = 0; i < move.cols(); ++i) move.col(i) /= std::max(1.0, pushes[i]);
+    for (Eigen::Index i = 0; i < move.cols(); ++i)
+        if (urgencies[i] > 0) move.col(i) += push.col(i) / urgencies[i];
     return nearest_share;
 }
 

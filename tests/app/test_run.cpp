@@ -122,6 +122,21 @@ TEST_CASE("flags of accuracy that contradict each other are refused", "[app]") {
     }
 }
 
+TEST_CASE("a start that crosses itself runs once it is asked to be untangled", "[app]") {
+    const TemporaryFolder folder;
+    const std::string scene = DRAPE_SOURCE_DIR "/assets/scenes/extreme/tangled.toml",
+                      out = folder.file("out");
+    const Ran ran = run_drape({"simulate", scene, "--out", out, "--no-estimate", "--untangle"});
+    CAPTURE(ran.err);
+    CHECK(ran.exit_code == 0);
+    CHECK_THAT(ran.err, Catch::Contains("untangled the start: "));
+    CHECK(report_of(out)["contact"]["crossings"] == 0);
+    const Ran idle = run_drape(
+        {"simulate", folder.file("drop.toml", small_drop()), "--out", out, "--no-estimate", "--untangle"});
+    CHECK(idle.exit_code == 0);
+    CHECK_THAT(idle.err, Catch::Contains("nothing to untangle"));
+}
+
 TEST_CASE("a cache holds the start and every frame", "[app]") {
     const TemporaryFolder folder;
     const std::string scene = folder.file("drop.toml", small_drop());
