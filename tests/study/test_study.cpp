@@ -35,13 +35,17 @@ TEST_CASE("a distance below the bar is reported as the bar", "[study]") {
     CHECK(errors.time_l2 == Approx(std::sqrt(10e-12 / 2)));
 }
 
-TEST_CASE("explicit methods show their order where the ladder is long enough", "[study]") {
-    const Study& study = small_study();
-    for (const Method* method : study.methods()) {
-        const SeenOrder order = seen_order(study, *method);
-        CAPTURE(method->name, order.rungs);
-        if (method->is_implicit() || method->controls_step || order.rungs < 4) continue;
-        CHECK(*order.seen == Approx(order.expected).margin(0.6));
+TEST_CASE("every method shows its order", "[study]") {
+    StudyOptions options;
+    options.repeats = 1;
+    options.budget = 8;  // long enough under sanitizers too
+    options.methods = every_method();
+    const Study study = run_study(small_scene(), options, {});
+    for (const Method& method : methods()) {
+        const SeenOrder order = seen_order(study, method);
+        CAPTURE(method.name, order.rungs);
+        REQUIRE(order.rungs >= 3);
+        CHECK(*order.seen == Approx(order.expected).margin(0.25));  // 0.2 off at most: srkn4
     }
 }
 
