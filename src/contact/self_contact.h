@@ -74,7 +74,7 @@ public:
     // Adds to `move` what takes pairs at x that are nearer than a share of their barrier straight apart to
     // it, in the mean of a vertex's pairs. The least share that any is apart, or infinite (untangle.cpp).
     double push_apart(In x, double share, Points& move);
-    double mean_edge() const { return search_.mean_edge(); }            // [m]
+    double mean_edge() const { return search_.mean_edge(); }  // [m]
 
     const Surfaces& surfaces() const { return surfaces_; }
     Eigen::Ref<const Points> positions(In x, double time) { return surfaces_.positions(x, time); }
