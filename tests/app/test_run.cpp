@@ -124,8 +124,17 @@ TEST_CASE("flags of accuracy that contradict each other are refused", "[app]") {
 
 TEST_CASE("a start that crosses itself runs once it is asked to be untangled", "[app]") {
     const TemporaryFolder folder;
-    const std::string scene = DRAPE_SOURCE_DIR "/assets/scenes/extreme/tangled.toml",
-                      out = folder.file("out");
+    // a corner of the upper sheet starts through the lower one
+    const std::string sheet = "fabric = \"cotton\"\nself_contact = true\n";
+    const std::string scene = folder.file(
+        "tangled.toml",
+        "schema = 1\n[scene]\nduration = 0.1\n[[cloth]]\n" + sheet +
+            "pattern = { name = \"alternating\", size = [0.5, 0.5], divisions = [16, 16] }\n[[cloth]]\n" +
+            sheet +
+            "pattern = { name = \"alternating\", size = [0.4, 0.4], divisions = [12, 12] }\n"
+            "place = { translate = [0, 0.1, 0], rotate_deg = [0, 45, 30] }\n");
+    const std::string out = folder.file("out");
+    CHECK_THAT(run_drape({"simulate", scene, "--out", out}).err, Catch::Contains("starts crossing"));
     const Ran ran = run_drape({"simulate", scene, "--out", out, "--no-estimate", "--untangle"});
     CAPTURE(ran.err);
     CHECK(ran.exit_code == 0);
