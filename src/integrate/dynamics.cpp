@@ -161,6 +161,16 @@ void Dynamics::rub(State& state, double h) {
     flow_.driven += work.driven;
 }
 
+void Dynamics::rub_kicked(State& state, const Points& a, double h) {
+    if (!contact_) return;
+    middle_ = state.v;
+    rub(state, h);
+    double work = 0;
+    for (Eigen::Index i = 0; i < a.cols(); ++i)
+        work += model_.mass[i] * a.col(i).dot(state.v.col(i) - middle_.col(i));
+    flow_.dissipated += h / 2 * work;
+}
+
 void Dynamics::book(double seconds) {
     flow_.dissipated += power_.dissipated * seconds;
     flow_.driven += power_.driven * seconds;

@@ -60,6 +60,12 @@ public:
     // friction's impulses of a time h on free vertices' velocities, and after acceleration_to_kick damping's
     void rub(State& state, double h);
 
+    // The same where v has just been kicked by h a. Kick and friction act in one time: each works along the
+    // mean of the velocities before and after both, so that friction which holds against a force takes
+    // nothing. Its impulse r m reckoned along the kicked velocity v, as if the kick had come first, takes -r
+    // m (v + r / 2), which is h r m a / 2 too much, and that sums up.
+    void rub_kicked(State& state, const Points& a, double h);
+
     // books `seconds` of the present power as energy gone
     void book(double seconds);
 

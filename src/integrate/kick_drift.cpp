@@ -14,7 +14,7 @@ DRAPE_WIDE void add_scaled(double* y, double h, const double* x, Eigen::Index va
 
 void kick(Dynamics& dynamics, State& state, const Points& a, double h) {
     add_scaled(state.v.data(), h, a.data(), a.size());
-    dynamics.rub(state, h);
+    dynamics.rub_kicked(state, a, h);
 }
 
 void drift(Dynamics& dynamics, State& state, double h) {

@@ -98,6 +98,7 @@ void Simulation::build() {
     if (!within_reach.empty() || meets_itself) {
         contact = std::make_unique<Contact>(model, within_reach, setup_.world.gravity, state_, duration);
         lifted_ = contact->lift_out(state_.x);
+        contact->prepare(state_, 0);  // the energy at the start is asked for before any step
     }
     dynamics_ = std::make_unique<Dynamics>(model, std::move(forces), std::move(contact));
 }
