@@ -162,7 +162,7 @@ void Dynamics::rub(State& state, double h) {
 }
 
 void Dynamics::rub_kicked(State& state, const Points& a, double h) {
-    if (!contact_) return;
+    if (!contact_ || touch_.contacts == 0) return;
     middle_ = state.v;
     rub(state, h);
     double work = 0;

@@ -46,14 +46,14 @@ TEST_CASE("friction that holds a cloth on a slope takes no energy", "[simulate]"
     Setup setup = scene_of(square(8), full_fabric());
     setup.world.gravity = {3, -9.81, 0};
     setup.obstacles.push_back(obstacle_of("plane", {}, 0.6));
-    const double weight = setup.model.mass.sum();
+    const double mass = setup.model.mass.sum();
     Simulation simulation(setup);
     const double start = simulation.energies().total();
     run(simulation);
-    CHECK(simulation.energies().kinetic < 1e-6 * weight);
-    // kicks of h / 2 that friction stops at once, reckoned as motion lost, came to weight * 3^2 h / 4 a
-    // second
-    const double stopped = weight * 9 * simulation.step() / 4 * simulation.state().time;
+    CHECK(simulation.energies().kinetic < 1e-6 * mass);
+    // kicks of h / 2 that friction stops at once, reckoned as motion lost, come to mass 3^2 h / 4 a second
+    // [J]
+    const double stopped = mass * 9 * simulation.step() / 4 * simulation.state().time;
     CAPTURE(stopped);
     CHECK(simulation.flow().dissipated < 0.1 * stopped);
     CHECK(std::abs(simulation.energies().total() - start + simulation.flow().dissipated) < 0.1 * stopped);
